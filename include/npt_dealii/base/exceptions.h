@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The typed errors of the program: what a user can mend, what a load step may
+// survive, and what ends a run with its results so far kept.
+
+#ifndef npt_dealii_base_exceptions_h
+#define npt_dealii_base_exceptions_h
+
+#include <stdexcept>
+#include <string>
+
+namespace NPT
+{
+  /**
+   * The input cannot be used: an unknown entry, a value out of range, an
+   * impossible combination. The message is one sentence with the entry, the
+   * value found, what is allowed, and where possible the nearest valid name.
+   * The program prints it and ends with exit status 2 before computing.
+   */
+  class InputError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * A load step failed in a way that a smaller step may survive. The driver
+   * catches exactly this family, restores the accepted state and cuts the
+   * step; anything else is a bug and is not caught there.
+   */
+  class LoadStepFailure : public std::runtime_error
+  {
+  public:
+    /**
+     * @param reason Short name used in logs and stability maps, e.g.
+     *   "inverted cell".
+     * @param detail Where and with which figures, for a person to read.
+     */
+    LoadStepFailure(const std::string &reason, const std::string &detail)
+      : std::runtime_error(reason + ": " + detail)
+      , reason_(reason)
+    {}
+
+    const std::string &
+    reason() const
+    {
+      return reason_;
+    }
+
+  private:
+    std::string reason_;
+  };
+
+  /// det F <= 0 (or not finite) at a quadrature point.
+  class InvertedCell : public LoadStepFailure
+  {
+  public:
+    explicit InvertedCell(const std::string &detail)
+      : LoadStepFailure("inverted cell", detail)
+    {}
+  };
+
+  /// A contact point has no usable closest point on the primary surface.
+  class ProjectionLost : public LoadStepFailure
+  {
+  public:
+    explicit ProjectionLost(const std::string &detail)
+      : LoadStepFailure("projection lost", detail)
+    {}
+  };
+
+  /// Newton ran out of iterations or of line search.
+  class NewtonNotConverged : public LoadStepFailure
+  {
+  public:
+    NewtonNotConverged(const std::string &reason, const std::string &detail)
+      : LoadStepFailure(reason, detail)
+    {}
+  };
+
+  /// The linear solver met a singular matrix or did not converge.
+  class LinearSolverFailed : public LoadStepFailure
+  {
+  public:
+    explicit LinearSolverFailed(const std::string &detail)
+      : LoadStepFailure("linear solver failed", detail)
+    {}
+  };
+
+  /// The acoustic tensor of a material lost its positive definiteness.
+  class EllipticityLost : public LoadStepFailure
+  {
+  public:
+    explicit EllipticityLost(const std::string &detail)
+      : LoadStepFailure("loss of ellipticity", detail)
+    {}
+  };
+
+  /**
+   * A stage cannot be finished: the step became smaller than allowed. Carries
+   * the last reason and a hint; results so far stay complete and readable.
+   */
+  class StageFailed : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+} // namespace NPT
+
+#endif
