@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Surface functions from the extracted polynomials of each span.
+
+#include <npt_dealii/iga/iga_surface.h>
+
+#include <deal.II/base/polynomials_bernstein.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+
+namespace NPT
+{
+  using dealii::FullMatrix;
+  using dealii::Point;
+  using dealii::Tensor;
+
+  namespace
+  {
+    // Power coefficients of the functions sum_b C(a,b) B_b(t).
+    std::vector<std::vector<double>>
+    power_coefficients(
+      const FullMatrix<double>                                   &C,
+      const std::vector<dealii::Polynomials::Polynomial<double>> &B)
+    {
+      const unsigned int               n = B.size();
+      std::vector<std::vector<double>> result(n, std::vector<double>(n, 0.));
+      std::vector<double>              derivatives(n);
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          B[b].value(0., derivatives);
+          double factorial = 1;
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              if (k > 0)
+                factorial *= k;
+              for (unsigned int a = 0; a < n; ++a)
+                result[a][k] += C(a, b) * derivatives[k] / factorial;
+            }
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  IGASurface<dim>::IGASurface(const IGASpace<dim> &space,
+                              const unsigned int   patch,
+                              const unsigned int   direction,
+                              const unsigned int   side)
+    : space_(&space)
+    , patch_(patch)
+    , orientation_(side == 1 ? 1. : -1.)
+  {
+    AssertIndexRange(direction, static_cast<unsigned int>(dim));
+    AssertIndexRange(side, 2u);
+    const NURBSPatch<dim>      &P = space.patch(patch);
+    std::array<unsigned int, m> directions;
+    for (unsigned int a = 0; a < m; ++a)
+      {
+        directions[a] = (direction + 1 + a) % dim;
+        knots_.push_back(P.knot_vector(directions[a]));
+      }
+    // In 2D the tangent of the remaining direction, rotated clockwise, is the
+    // outward normal of the sides (0,1) and (1,0) only.
+    if (dim == 2 && direction == 1)
+      orientation_ = -orientation_;
+
+    unsigned int n = 1;
+    for (const KnotVector &k : knots_)
+      n *= k.n_functions();
+    rational_ = false;
+    for (unsigned int l = 0; l < n; ++l)
+      {
+        std::array<unsigned int, dim> index;
+        unsigned int                  rest = l;
+        index[direction] = side == 0 ? 0 : P.n_control_points(direction) - 1;
+        for (unsigned int a = 0; a < m; ++a)
+          {
+            index[directions[a]] = rest % knots_[a].n_functions();
+            rest /= knots_[a].n_functions();
+          }
+        control_points_.push_back(space.control_point(patch, P.index(index)));
+        weights_.push_back(space.weights()[control_points_.back()]);
+        rational_ = rational_ || weights_.back() != weights_.front();
+      }
+
+    const unsigned int                                   p = degree();
+    std::vector<dealii::Polynomials::Polynomial<double>> bernstein;
+    for (unsigned int b = 0; b <= p; ++b)
+      bernstein.push_back(dealii::PolynomialsBernstein<double>(b, p));
+    for (unsigned int a = 0; a < m; ++a)
+      for (unsigned int e = 0; e < knots_[a].n_spans(); ++e)
+        {
+          const auto &C = space.extraction_operator(patch, directions[a], e);
+          polynomials_[a].push_back(
+            power_coefficients(C, space.local_polynomials(patch)));
+          averaging_polynomials_[a].push_back(power_coefficients(C, bernstein));
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  IGASurface<dim>::evaluate(const Parameter                   &u,
+                            const unsigned int                 n_derivatives,
+                            SurfaceShape<m>                   &shape,
+                            const std::array<unsigned int, m> *span) const
+  {
+    evaluate(polynomials_, rational_, u, n_derivatives, span, shape);
+  }
+
+
+
+  template <int dim>
+  void
+  IGASurface<dim>::evaluate_averaging(const Parameter &u,
+                                      SurfaceShape<m> &shape) const
+  {
+    evaluate(averaging_polynomials_, rational_, u, 0, nullptr, shape);
+  }
+
+
+
+  template <int dim>
+  void
+  IGASurface<dim>::evaluate(
+    const std::array<std::vector<SpanPolynomials>, m> &polynomials,
+    const bool                                         rational,
+    const Parameter                                   &u,
+    const unsigned int                                 n_derivatives,
+    const std::array<unsigned int, m>                 *span,
+    SurfaceShape<m>                                   &shape) const
+  {
+    using Indices            = SymmetricIndices<m>;
+    constexpr int      max_p = 7;
+    const unsigned int p     = degree();
+    const unsigned int n1    = p + 1;
+    Assert(p <= max_p, dealii::ExcNotImplemented());
+
+    // One-dimensional values and derivatives by Horner's rule.
+    double       N[m][4][max_p + 1];
+    unsigned int first_function[m];
+    for (unsigned int a = 0; a < m; ++a)
+      {
+        const unsigned int e =
+          span != nullptr ? (*span)[a] : knots_[a].find_span(u[a]);
+        first_function[a]   = knots_[a].first_function(e);
+        const auto  &breaks = knots_[a].breaks();
+        const double h      = breaks[e + 1] - breaks[e];
+        const double t      = (u[a] - breaks[e]) / h;
+        for (unsigned int i = 0; i < n1; ++i)
+          {
+            const std::vector<double> &c    = polynomials[a][e][i];
+            double                     v[4] = {0., 0., 0., 0.};
+            for (int k = p; k >= 0; --k)
+              {
+                v[3] = v[3] * t + 3 * v[2];
+                v[2] = v[2] * t + 2 * v[1];
+                v[1] = v[1] * t + v[0];
+                v[0] = v[0] * t + c[k];
+              }
+            double scale = 1;
+            for (unsigned int d = 0; d < 4; ++d)
+              {
+                N[a][d][i] = v[d] * scale;
+                scale /= h;
+              }
+          }
+      }
+
+    const unsigned int n = m == 1 ? n1 : n1 * n1;
+    shape.lattice.resize(n);
+    shape.value.resize(n);
+    if (n_derivatives >= 1)
+      for (auto &d : shape.first)
+        d.resize(n);
+    if (n_derivatives >= 2)
+      for (auto &d : shape.second)
+        d.resize(n);
+    if (n_derivatives >= 3)
+      for (auto &d : shape.third)
+        d.resize(n);
+
+    for (unsigned int l = 0; l < n; ++l)
+      {
+        const unsigned int i = l % n1;
+        if constexpr (m == 1)
+          {
+            shape.lattice[l] = first_function[0] + i;
+            shape.value[l]   = N[0][0][i];
+            if (n_derivatives >= 1)
+              shape.first[0][l] = N[0][1][i];
+            if (n_derivatives >= 2)
+              shape.second[0][l] = N[0][2][i];
+            if (n_derivatives >= 3)
+              shape.third[0][l] = N[0][3][i];
+          }
+        else
+          {
+            const unsigned int j = l / n1;
+            shape.lattice[l] =
+              first_function[0] + i +
+              (first_function[1] + j) * knots_[0].n_functions();
+            shape.value[l] = N[0][0][i] * N[1][0][j];
+            if (n_derivatives >= 1)
+              {
+                shape.first[0][l] = N[0][1][i] * N[1][0][j];
+                shape.first[1][l] = N[0][0][i] * N[1][1][j];
+              }
+            if (n_derivatives >= 2)
+              for (unsigned int k = 0; k <= 2; ++k)
+                shape.second[k][l] = N[0][2 - k][i] * N[1][k][j];
+            if (n_derivatives >= 3)
+              for (unsigned int k = 0; k <= 3; ++k)
+                shape.third[k][l] = N[0][3 - k][i] * N[1][k][j];
+          }
+      }
+    if (!rational)
+      return;
+
+    // Quotient rule, one order after the other.
+    double W = 0, W1[Indices::n_first] = {}, W2[Indices::n_second] = {},
+           W3[Indices::n_third] = {};
+    for (unsigned int l = 0; l < n; ++l)
+      {
+        const double w = weights_[shape.lattice[l]];
+        W += shape.value[l] *= w;
+        if (n_derivatives >= 1)
+          for (unsigned int k = 0; k < Indices::n_first; ++k)
+            W1[k] += shape.first[k][l] *= w;
+        if (n_derivatives >= 2)
+          for (unsigned int k = 0; k < Indices::n_second; ++k)
+            W2[k] += shape.second[k][l] *= w;
+        if (n_derivatives >= 3)
+          for (unsigned int k = 0; k < Indices::n_third; ++k)
+            W3[k] += shape.third[k][l] *= w;
+      }
+    for (unsigned int l = 0; l < n; ++l)
+      {
+        const double R = shape.value[l] /= W;
+        if (n_derivatives >= 1)
+          for (unsigned int a = 0; a < m; ++a)
+            shape.first[a][l] = (shape.first[a][l] - R * W1[a]) / W;
+        if (n_derivatives >= 2)
+          for (unsigned int a = 0; a < m; ++a)
+            for (unsigned int b = a; b < m; ++b)
+              {
+                double &R_ab = shape.second[Indices::second(a, b)][l];
+                R_ab =
+                  (R_ab - shape.first[a][l] * W1[b] -
+                   shape.first[b][l] * W1[a] - R * W2[Indices::second(a, b)]) /
+                  W;
+              }
+        if (n_derivatives >= 3)
+          for (unsigned int a = 0; a < m; ++a)
+            for (unsigned int b = a; b < m; ++b)
+              for (unsigned int c = b; c < m; ++c)
+                {
+                  double &R_abc = shape.third[Indices::third(a, b, c)][l];
+                  const unsigned int ab = Indices::second(a, b),
+                                     ac = Indices::second(a, c),
+                                     bc = Indices::second(b, c);
+                  R_abc =
+                    (R_abc - shape.second[ab][l] * W1[c] -
+                     shape.second[ac][l] * W1[b] - shape.second[bc][l] * W1[a] -
+                     shape.first[a][l] * W2[bc] - shape.first[b][l] * W2[ac] -
+                     shape.first[c][l] * W2[ab] -
+                     R * W3[Indices::third(a, b, c)]) /
+                    W;
+                }
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<typename IGASurface<dim>::QuadraturePoint>
+  IGASurface<dim>::quadrature(const unsigned int n) const
+  {
+    const dealii::QGauss<1> gauss(n > 0 ? n : degree() + 1);
+    const unsigned int      n_q = gauss.size();
+
+    unsigned int n_spans = 1, n_points = 1;
+    for (unsigned int a = 0; a < m; ++a)
+      {
+        n_spans *= knots_[a].n_spans();
+        n_points *= n_q;
+      }
+
+    std::vector<QuadraturePoint> points;
+    for (unsigned int e = 0; e < n_spans; ++e)
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          QuadraturePoint point;
+          unsigned int    rest_e = e, rest_q = q;
+          double          weight = 1;
+          for (unsigned int a = 0; a < m; ++a)
+            {
+              point.span[a]      = rest_e % knots_[a].n_spans();
+              const auto  &b     = knots_[a].breaks();
+              const double begin = b[point.span[a]];
+              const double h     = b[point.span[a] + 1] - begin;
+              point.u[a]         = begin + h * gauss.point(rest_q % n_q)[0];
+              weight *= h * gauss.weight(rest_q % n_q);
+              rest_e /= knots_[a].n_spans();
+              rest_q /= n_q;
+            }
+          evaluate(point.u, 1, point.shape, &point.span);
+          evaluate(averaging_polynomials_,
+                   rational_,
+                   point.u,
+                   0,
+                   &point.span,
+                   point.averaging);
+
+          std::array<Tensor<1, dim>, m> tangent;
+          for (unsigned int l = 0; l < point.shape.lattice.size(); ++l)
+            {
+              const Point<dim> &P = reference_position(point.shape.lattice[l]);
+              point.X += point.shape.value[l] * P;
+              for (unsigned int a = 0; a < m; ++a)
+                tangent[a] += point.shape.first[a][l] * P;
+            }
+          double area;
+          if constexpr (dim == 3)
+            area = cross_product_3d(tangent[0], tangent[1]).norm();
+          else
+            area = tangent[0].norm();
+          point.area = weight * area;
+          points.push_back(point);
+        }
+    return points;
+  }
+
+  template class IGASurface<2>;
+  template class IGASurface<3>;
+} // namespace NPT
