@@ -189,11 +189,15 @@ namespace NPT
               }
             if (known >= 0)
               {
-                AssertThrow(
-                  std::abs(weights_[known] - patches_[i].weights()[A]) <
-                    1e-9 * weights_[known],
-                  dealii::ExcMessage(
-                    "Joined patches must have equal weights where they meet."));
+                if (!(std::abs(weights_[known] - patches_[i].weights()[A]) <
+                      1e-9 * weights_[known]))
+                  throw InputError(
+                    "Joined patches must have equal weights where they meet; "
+                    "patch " +
+                    std::to_string(i) + " has " +
+                    std::to_string(patches_[i].weights()[A]) +
+                    " where the weight is " + std::to_string(weights_[known]) +
+                    ".");
                 numbers.push_back(known);
               }
             else

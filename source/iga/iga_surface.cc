@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Surface functions from the extracted polynomials of each span.
 
+#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/iga/iga_surface.h>
 
 #include <deal.II/base/polynomials_bernstein.h>
@@ -16,6 +17,9 @@ namespace NPT
 
   namespace
   {
+    // Bound of the arrays in evaluate().
+    constexpr unsigned int max_p = 7;
+
     // Power coefficients of the functions sum_b C(a,b) B_b(t).
     std::vector<std::vector<double>>
     power_coefficients(
@@ -85,7 +89,11 @@ namespace NPT
         rational_ = rational_ || weights_.back() != weights_.front();
       }
 
-    const unsigned int                                   p = degree();
+    const unsigned int p = degree();
+    if (p > max_p)
+      throw InputError("A surface takes degrees up to " +
+                       std::to_string(max_p) + "; found " + std::to_string(p) +
+                       ".");
     std::vector<dealii::Polynomials::Polynomial<double>> bernstein;
     for (unsigned int b = 0; b <= p; ++b)
       bernstein.push_back(dealii::PolynomialsBernstein<double>(b, p));
@@ -133,11 +141,9 @@ namespace NPT
     const std::array<unsigned int, m>                 *span,
     SurfaceShape<m>                                   &shape) const
   {
-    using Indices            = SymmetricIndices<m>;
-    constexpr int      max_p = 7;
-    const unsigned int p     = degree();
-    const unsigned int n1    = p + 1;
-    Assert(p <= max_p, dealii::ExcNotImplemented());
+    using Indices         = SymmetricIndices<m>;
+    const unsigned int p  = degree();
+    const unsigned int n1 = p + 1;
 
     // One-dimensional values and derivatives by Horner's rule.
     double       N[m][4][max_p + 1];

@@ -35,9 +35,9 @@ namespace NPT
 
     const unsigned int n = n_functions();
     if (knots[p] != knots[0] || knots[n] != knots.back() ||
-        !(knots[p] < knots[n]))
+        !(knots[p] < knots[p + 1]) || !(knots[n - 1] < knots[n]))
       throw InputError("A knot vector must be open: its first and last knot "
-                       "appear degree + 1 times.");
+                       "appear exactly degree + 1 times.");
     for (unsigned int i = 1; i + p < knots.size() - 1; ++i)
       if (knots[i] == knots[i + p] && knots[i] != knots[0] &&
           knots[i] != knots.back())

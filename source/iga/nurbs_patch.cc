@@ -131,6 +131,7 @@ namespace NPT
     for (unsigned int d = direction + 1; d < dim; ++d)
       outer *= n_control_points(d);
     const unsigned int n_old = T.n(), n_new = T.m();
+    const bool         rational = is_rational();
 
     std::vector<Point<dim>> points(stride * n_new * outer);
     std::vector<double>     weights(points.size(), 0.);
@@ -148,6 +149,9 @@ namespace NPT
                 }
             points[B] /= weights[B];
           }
+    // Equal weights stay equal exactly, whatever the rounding in T.
+    if (!rational)
+      weights.assign(points.size(), weights_[0]);
     control_points_.swap(points);
     weights_.swap(weights);
     knot_vectors_[direction] = new_knot_vector;

@@ -48,7 +48,8 @@ namespace NPT
   /**
    * One face of a patch as a surface (33) with m = dim-1 parameters: the other
    * parametric directions of the patch in cyclic order, so that for dim = 3
-   * orientation() a_1 x a_2 is the outward normal of the body.
+   * orientation() a_1 x a_2 is the outward normal of the body; for dim = 2 it
+   * is orientation() times the tangent turned clockwise, (a_2, -a_1).
    */
   template <int dim>
   class IGASurface
@@ -139,7 +140,7 @@ namespace NPT
       Parameter                   u;
       std::array<unsigned int, m> span;
       double             area;  ///< weight times reference area element [mm^m]
-      SurfaceShape<m>    shape; ///< values only
+      SurfaceShape<m>    shape; ///< values and first derivatives
       SurfaceShape<m>    averaging;
       dealii::Point<dim> X;
     };

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the tests of patch faces as surfaces.
+
+#include <npt_dealii/iga/iga_surface.h>
+#include <npt_dealii/iga/iga_values.h>
+
+#include <algorithm>
+
+#include "iga_test_tools.h"
+
+using namespace NPT;
+using namespace IGATests;
+using Catch::Matchers::Contains;
+
+namespace
+{
+  const double pi = std::acos(-1.);
+
+
+
+  template <int m>
+  std::array<double, m>
+  parameter(const Point<m> &u)
+  {
+    std::array<double, m> result;
+    for (unsigned int a = 0; a < m; ++a)
+      result[a] = u[a];
+    return result;
+  }
+
+
+
+  // The functions (or one derivative of them) spread over the whole lattice,
+  // so that functions that are zero at the point count too.
+  template <int dim>
+  std::vector<double>
+  on_lattice(const IGASurface<dim>           &surface,
+             const std::vector<unsigned int> &lattice,
+             const std::vector<double>       &values)
+  {
+    REQUIRE(lattice.size() == values.size());
+    std::vector<double> result(surface.n_control_points(), 0.);
+    for (unsigned int l = 0; l < values.size(); ++l)
+      result[lattice[l]] = values[l];
+    return result;
+  }
+
+
+
+  double
+  max_difference(const std::vector<double> &a, const std::vector<double> &b)
+  {
+    REQUIRE(a.size() == b.size());
+    double difference = 0.;
+    for (unsigned int i = 0; i < a.size(); ++i)
+      difference = std::max(difference, std::abs(a[i] - b[i]));
+    return difference;
+  }
+
+
+
+  template <int m, int dim>
+  void
+  check_derivatives(const IGASurface<dim> &surface)
+  {
+    using Indices        = SymmetricIndices<m>;
+    unsigned int n_spans = 1;
+    for (unsigned int a = 0; a < m; ++a)
+      n_spans *= surface.knot_vector(a).n_spans();
+    double error[4] = {0., 0., 0., 0.};
+    double size[4]  = {0., 0., 0., 0.};
+    for (unsigned int s = 0; s < n_spans; ++s)
+      {
+        std::array<unsigned int, m> span;
+        Point<m>                    u;
+        unsigned int                rest = s;
+        for (unsigned int a = 0; a < m; ++a)
+          {
+            const auto &k = surface.knot_vector(a);
+            span[a]       = rest % k.n_spans();
+            rest /= k.n_spans();
+            u[a] =
+              k.breaks()[span[a]] +
+              (0.3 + 0.4 * a) * (k.breaks()[span[a] + 1] - k.breaks()[span[a]]);
+          }
+        // Derivatives of one order, one component of the symmetric array.
+        const auto of_order = [&](const unsigned int order,
+                                  const unsigned int component) {
+          return [&surface, &span, order, component](const Point<m> &v) {
+            SurfaceShape<m> shape;
+            surface.evaluate(parameter<m>(v), order, shape, &span);
+            return on_lattice(surface,
+                              shape.lattice,
+                              order == 0 ? shape.value :
+                              order == 1 ? shape.first[component] :
+                              order == 2 ? shape.second[component] :
+                                           shape.third[component]);
+          };
+        };
+        const auto compare = [&](const unsigned int         order,
+                                 const std::vector<double> &exact,
+                                 const std::vector<double> &approximate) {
+          error[order] =
+            std::max(error[order], max_difference(exact, approximate));
+          for (const double x : exact)
+            size[order] = std::max(size[order], std::abs(x));
+        };
+
+        const double h = 1e-3;
+        for (unsigned int a = 0; a < m; ++a)
+          {
+            compare(1,
+                    of_order(1, a)(u),
+                    difference<m>(of_order(0, 0), u, a, h));
+            for (unsigned int b = 0; b < m; ++b)
+              {
+                compare(2,
+                        of_order(2, Indices::second(a, b))(u),
+                        difference<m>(of_order(1, a), u, b, h));
+                for (unsigned int c = 0; c < m; ++c)
+                  compare(
+                    3,
+                    of_order(3, Indices::third(a, b, c))(u),
+                    difference<m>(of_order(2, Indices::second(a, b)), u, c, h));
+              }
+          }
+      }
+    // Relative to the size of the derivatives: rounding 1e-16 / h plus h^4
+    // times (for rational functions) fifth derivatives of them.
+    for (unsigned int order = 1; order <= 3; ++order)
+      {
+        INFO("derivative " << order << " of size " << size[order]);
+        CHECK(size[order] > 1.);
+        CHECK(error[order] < 1e-8 * size[order]);
+      }
+  }
+
+
+
+  // Values on every face against the volume functions, and the normals.
+  template <int dim>
+  void
+  check_faces(const bool rational, const Basis basis)
+  {
+    INFO("dim " << dim << ", " << name(basis) << ", rational " << rational);
+    constexpr int         m     = dim - 1;
+    const NURBSPatch<dim> patch = general_patch<dim>(rational);
+    const IGASpace<dim>   space({patch}, {3}, basis);
+
+    double value_error = 0., lattice_error = 0., flux = 0., smallest = 1e300,
+           averaging_sum = 0., averaging_least = 0., shape_least = 0.,
+           averaging_difference = 0.;
+    Tensor<1, dim> total_normal;
+    unsigned int   n_points = 0;
+    for (unsigned int direction = 0; direction < dim; ++direction)
+      for (unsigned int side = 0; side < 2; ++side)
+        {
+          const IGASurface<dim> surface(space, 0, direction, side);
+          CHECK(surface.body() == 3);
+          CHECK(surface.degree() == 3);
+          unsigned int n = 1;
+          for (unsigned int a = 0; a < m; ++a)
+            {
+              CHECK(
+                surface.knot_vector(a).knots() ==
+                space.patch(0).knot_vector((direction + 1 + a) % dim).knots());
+              n *= surface.n_control_points(a);
+            }
+          CHECK(surface.n_control_points() == n);
+
+          for (const auto &point : surface.quadrature(5))
+            {
+              // The cell at this face, in the volume.
+              std::array<unsigned int, dim> span;
+              Point<dim>                    u;
+              const auto &normal_knots = space.patch(0).knot_vector(direction);
+              span[direction] = side == 0 ? 0 : normal_knots.n_spans() - 1;
+              u[direction]    = side == 0 ? normal_knots.breaks().front() :
+                                            normal_knots.breaks().back();
+              for (unsigned int a = 0; a < m; ++a)
+                {
+                  span[(direction + 1 + a) % dim] = point.span[a];
+                  u[(direction + 1 + a) % dim]    = point.u[a];
+                }
+              unsigned int c = 0;
+              while (space.cells()[c].span != span)
+                ++c;
+
+              SurfaceShape<m> shape;
+              surface.evaluate(point.u, 1, shape, &point.span);
+              if (n_points++ % 4 == 0) // enough, and four times as fast
+                {
+                  // All functions of the cell, those of other points being
+                  // zero.
+                  const auto          R       = direct_functions(space, c, u);
+                  const auto          indices = space.control_points_of_cell(c);
+                  std::vector<double> volume(space.n_control_points(), 0.),
+                    face(volume);
+                  for (unsigned int l = 0; l < R.size(); ++l)
+                    volume[indices[l]] = R[l];
+                  for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+                    face[surface.control_point(shape.lattice[l])] =
+                      shape.value[l];
+                  value_error =
+                    std::max(value_error, max_difference(volume, face));
+                }
+              lattice_error =
+                std::max(lattice_error,
+                         point.X.distance(direct_position(space, c, u)));
+              CHECK(point.shape.value == shape.value);
+
+              // Outward normal: across the face the position moves along it.
+              Tensor<1, dim> tangent[m], normal;
+              for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+                for (unsigned int a = 0; a < m; ++a)
+                  tangent[a] += shape.first[a][l] *
+                                surface.reference_position(shape.lattice[l]);
+              if constexpr (dim == 3)
+                normal = cross_product_3d(tangent[0], tangent[1]);
+              else
+                {
+                  normal[0] = tangent[0][1];
+                  normal[1] = -tangent[0][0];
+                }
+              normal *= surface.orientation() / normal.norm();
+              Point<dim> inside = u;
+              inside[direction] += side == 0 ? 1e-3 : -1e-3;
+              const Tensor<1, dim> outward =
+                point.X - direct_position(space, c, inside);
+              smallest = std::min(smallest, outward * normal / outward.norm());
+              flux += (normal * point.X) * point.area / dim;
+              total_normal += normal * point.area;
+
+              SurfaceShape<m> alone;
+              surface.evaluate_averaging(point.u, alone);
+              CHECK(alone.lattice == shape.lattice);
+              double sum = 0.;
+              for (const double value : alone.value)
+                {
+                  sum += value;
+                  averaging_least = std::min(averaging_least, value);
+                }
+              averaging_sum = std::max(averaging_sum, std::abs(sum - 1.));
+              for (const double value : shape.value)
+                shape_least = std::min(shape_least, value);
+              CHECK(max_difference(alone.value, point.averaging.value) < 1e-14);
+              averaging_difference =
+                std::max(averaging_difference,
+                         max_difference(alone.value, shape.value));
+            }
+        }
+    // Power coefficients of degree 3 on [0,1]: one digit lost.
+    CHECK(value_error < 1e-13);
+    CHECK(lattice_error < 1e-13); // the same
+    CHECK(smallest > 0.3);        // cosine of the skewness of the patch
+    // Divergence theorem; the volume by more points than needed.
+    IGAValues<dim> values(space, 5);
+    double         body_volume = 0.;
+    for (unsigned int c = 0; c < space.cells().size(); ++c)
+      {
+        values.reinit(c);
+        for (unsigned int q = 0; q < values.n_quadrature_points(); ++q)
+          body_volume += values.JxW(q);
+      }
+    // Five points integrate the polynomials exactly; what they leave of the
+    // rational functions was 2e-6.
+    const double tolerance =
+      rational && basis != Basis::Lagrange ? 1e-5 : 1e-12;
+    CHECK(std::abs(flux - body_volume) < tolerance);
+    CHECK(total_normal.norm() < tolerance);
+
+    CHECK(averaging_sum < 1e-14);    // rounding
+    CHECK(averaging_least > -1e-15); // rounding
+    if (basis == Basis::Lagrange)
+      {
+        // The displacement functions change sign: the reason for the others.
+        CHECK(shape_least < -0.01);
+        CHECK(averaging_difference > 0.1);
+      }
+    else
+      CHECK(averaging_difference < 1e-14); // the same functions
+  }
+} // namespace
+
+
+
+TEST_CASE("Surface derivatives up to the third are those of the functions",
+          "[iga]")
+{
+  for (const Basis basis : all_bases)
+    for (const bool rational : {true, false})
+      {
+        INFO(name(basis) << ", rational " << rational);
+        const IGASpace<2> plane({general_patch<2>(rational)}, {}, basis);
+        check_derivatives<1>(IGASurface<2>(plane, 0, 1, 0));
+        const IGASpace<3> body({general_patch<3>(rational)}, {}, basis);
+        check_derivatives<2>(IGASurface<3>(body, 0, 2, 1));
+      }
+}
+
+
+
+TEST_CASE("Faces of a plane patch carry its functions and outward normals",
+          "[iga]")
+{
+  for (const Basis basis : all_bases)
+    for (const bool rational : {true, false})
+      check_faces<2>(rational, basis);
+}
+
+
+
+TEST_CASE("Faces of a body in space carry its functions and outward normals",
+          "[iga]")
+{
+  for (const Basis basis : all_bases)
+    for (const bool rational : {true, false})
+      check_faces<3>(rational, basis);
+}
+
+
+
+TEST_CASE("Both C0 bases average by the same functions on a polynomial patch",
+          "[iga]")
+{
+  const NURBSPatch<3> patch = general_patch<3>(false);
+  const IGASpace<3>   lagrange({patch}, {}, Basis::Lagrange);
+  const IGASpace<3>   bernstein({patch}, {}, Basis::Bernstein);
+  const IGASurface<3> a(lagrange, 0, 0, 1), b(bernstein, 0, 0, 1);
+  SurfaceShape<2>     from_a, from_b;
+  for (const double u : {0., 0.17, 0.3, 0.9, 1.})
+    {
+      a.evaluate_averaging({{u, 1. + u}}, from_a);
+      b.evaluate_averaging({{u, 1. + u}}, from_b);
+      CHECK(from_a.lattice == from_b.lattice);
+      CHECK(max_difference(from_a.value, from_b.value) < 1e-14); // rounding
+    }
+}
+
+
+
+TEST_CASE("The faces of a quarter tube have their exact areas", "[iga]")
+{
+  const IGASpace<3> space({quarter_tube(1., 2., 3.)}, {}, Basis::NURBS);
+  const double      ring      = 0.75 * pi;
+  const double expected[3][2] = {{1.5 * pi, 3. * pi}, {3., 3.}, {ring, ring}};
+  for (unsigned int direction = 0; direction < 3; ++direction)
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        double area = 0.;
+        // Rational integrand: ten points for rounding.
+        for (const auto &q :
+             IGASurface<3>(space, 0, direction, side).quadrature(10))
+          area += q.area;
+        INFO("face " << direction << side);
+        CHECK(std::abs(area - expected[direction][side]) < 1e-12);
+      }
+}
+
+
+
+TEST_CASE("Points on the mantle of a tube lie on the cylinder with its normal",
+          "[iga]")
+{
+  const IGASpace<3>   space({quarter_tube(1., 2., 3.)}, {}, Basis::NURBS);
+  const IGASurface<3> mantle(space, 0, 0, 1);
+  double              error = 0.;
+  for (const auto &q : mantle.quadrature(4))
+    {
+      SurfaceShape<2> shape;
+      mantle.evaluate(q.u, 2, shape);
+      Tensor<1, 3> a1, a2, a11;
+      for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+        {
+          const auto &P = mantle.reference_position(shape.lattice[l]);
+          a1 += shape.first[0][l] * P;
+          a2 += shape.first[1][l] * P;
+          a11 += shape.second[0][l] * P;
+        }
+      Tensor<1, 3> n = cross_product_3d(a1, a2);
+      n *= mantle.orientation() / n.norm();
+      const Tensor<1, 3> radial({q.X[0] / 2., q.X[1] / 2., 0.});
+      error = std::max({error,
+                        (n - radial).norm(),
+                        // Curvature -1/r along the angle.
+                        std::abs(a11 * n / (a1 * a1) + 0.5)});
+    }
+  CHECK(error < 1e-13); // rounding
+}
+
+
+
+TEST_CASE("At a span boundary the wanted side's polynomial is evaluated",
+          "[iga]")
+{
+  // Dir. 0 of the general patch is C^1 at the double knot 0.5.
+  const IGASpace<2>   space({general_patch<2>(false)}, {}, Basis::NURBS);
+  const IGASurface<2> surface(space, 0, 1, 1);
+  const auto         &k = surface.knot_vector(0);
+  REQUIRE(k.breaks()[2] == 0.5);
+  std::array<std::vector<double>, 3> jump;
+  SurfaceShape<1>                    left, right, automatic;
+  const std::array<unsigned int, 1>  before = {{1}}, after = {{2}};
+  surface.evaluate({{0.5}}, 2, left, &before);
+  surface.evaluate({{0.5}}, 2, right, &after);
+  surface.evaluate({{0.5}}, 2, automatic);
+  const auto difference_of = [&](const std::vector<double> &a,
+                                 const std::vector<double> &b) {
+    return max_difference(on_lattice(surface, left.lattice, a),
+                          on_lattice(surface, right.lattice, b));
+  };
+  CHECK(difference_of(left.value, right.value) < 1e-14);       // rounding
+  CHECK(difference_of(left.first[0], right.first[0]) < 1e-12); // rounding
+  CHECK(difference_of(left.second[0], right.second[0]) > 1.);
+  CHECK(automatic.lattice == right.lattice);
+  CHECK(automatic.second[0] == right.second[0]);
+}
+
+
+
+TEST_CASE("A surface of too high a degree is refused with the reason", "[iga]")
+{
+  NURBSPatch<2> ring = quarter_ring(1., 2.);
+  ring.elevate_degree(1, 5);
+  const IGASpace<2> seven({ring}, {}, Basis::NURBS);
+  CHECK(input_error([&]() { IGASurface<2>(seven, 0, 0, 0); }) == "(accepted)");
+  ring.elevate_degree(1, 1);
+  const IGASpace<2> eight({ring}, {}, Basis::NURBS);
+  CHECK_THAT(input_error([&]() { IGASurface<2>(eight, 0, 0, 0); }),
+             Contains("up to 7") && Contains("found 8"));
+}
