@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the user asked for on the command line, and the texts of --help and
+// --version.
+
+#ifndef npt_dealii_base_command_line_h
+#define npt_dealii_base_command_line_h
+
+#include <string>
+#include <vector>
+
+namespace NPT
+{
+  struct CommandLine
+  {
+    enum class Action
+    {
+      run,
+      help,
+      version,
+      validate,       ///< Read and check the parameters, then stop.
+      print_defaults, ///< Write a documented parameter file, then stop.
+      geometry_only   ///< Build the unit cell and write its files, then stop.
+    };
+
+    Action      action = Action::run;
+    std::string parameter_file;   ///< May be empty only for the actions help,
+                                  ///< version and print_defaults.
+    std::string output_directory; ///< Empty: the one of the parameter file.
+    std::vector<std::string> overrides; ///< "Subsection/Entry=value", in order.
+  };
+
+  /**
+   * Read `npt_dealii FILE.prm [options]`; options may stand before or behind
+   * the file, `--output=DIR` is the same as `--output DIR`.
+   *
+   * Throws InputError with one sentence and a pointer to --help for an unknown
+   * option, a missing or second file, an option without its value or given
+   * twice, two actions at once, and a --set without '=', name or value. (An
+   * empty value would rather be a shell variable that was never set.) If --help
+   * or --version appears anywhere, nothing else is looked at.
+   */
+  CommandLine
+  parse_command_line(const int argc, const char *const *argv);
+
+  std::string
+  help_text();
+
+  /// Version of the program and of the deal.II it was built with.
+  std::string
+  version_text(const std::string &program_version = "0.1.0");
+} // namespace NPT
+
+#endif

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Reading the command line; every mistake ends in one sentence.
+
+#include <npt_dealii/base/command_line.h>
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/parameter_file.h>
+
+#include <deal.II/base/config.h>
+
+#include <utility>
+
+namespace NPT
+{
+  namespace
+  {
+    const std::vector<std::pair<std::string, CommandLine::Action>> actions = {
+      {"--validate", CommandLine::Action::validate},
+      {"--geometry-only", CommandLine::Action::geometry_only},
+      {"--print-defaults", CommandLine::Action::print_defaults},
+      {"--help", CommandLine::Action::help},
+      {"--version", CommandLine::Action::version}};
+
+    [[noreturn]] void
+    fail(const std::string &sentence)
+    {
+      throw InputError(sentence + " (see npt_dealii --help)");
+    }
+
+    std::string
+    unknown_option(const std::string &option)
+    {
+      std::vector<std::string> options = {"--output", "--set"};
+      for (const auto &item : actions)
+        options.push_back(item.first);
+
+      // "-output" and "--otput" alike: compare the words only.
+      std::vector<std::string> words;
+      for (const std::string &item : options)
+        words.push_back(item.substr(2));
+      const std::size_t first_letter = option.find_first_not_of('-');
+      const auto nearest = nearest_names(first_letter == std::string::npos ?
+                                           "" :
+                                           option.substr(first_letter),
+                                         words);
+      return "unknown option '" + option + "'" +
+             (nearest.empty() ? "" : "; did you mean '--" + nearest[0] + "'?");
+    }
+
+    void
+    check_override(const std::string &text)
+    {
+      const std::string where = "--set '" + text + "': ";
+      const std::string form  = "write --set 'Subsection/Entry=value'";
+      const std::string::size_type equal  = text.find('=');
+      const std::string            blanks = " \t\r\n";
+      if (equal == std::string::npos)
+        fail(where + "'=' is missing, " + form);
+      if (text.substr(0, equal).find_first_not_of(blanks) == std::string::npos)
+        fail(where + "the name of the entry is missing, " + form);
+      if (text.find_first_not_of(blanks, equal + 1) == std::string::npos)
+        fail(where + "the value is missing, " + form);
+    }
+  } // namespace
+
+
+
+  CommandLine
+  parse_command_line(const int argc, const char *const *argv)
+  {
+    const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0),
+                                             argv + argc);
+    CommandLine                    result;
+
+    for (const std::string &argument : arguments)
+      if (argument == "--help" || argument == "-h")
+        {
+          result.action = CommandLine::Action::help;
+          return result;
+        }
+    for (const std::string &argument : arguments)
+      if (argument == "--version")
+        {
+          result.action = CommandLine::Action::version;
+          return result;
+        }
+
+    std::string action_option;
+    bool        has_output = false;
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      {
+        const std::string &argument = arguments[i];
+        if (argument.empty())
+          fail("an argument is empty; a shell variable may not be set");
+        if (argument[0] != '-')
+          {
+            if (!result.parameter_file.empty())
+              fail("two parameter files, '" + result.parameter_file +
+                   "' and '" + argument +
+                   "'; one run reads one file, and a value with blanks needs "
+                   "quotes");
+            result.parameter_file = argument;
+            continue;
+          }
+
+        const std::string::size_type equal  = argument.find('=');
+        const std::string            option = argument.substr(0, equal);
+        if (option == "--output" || option == "--set")
+          {
+            // The value is behind '=' or in the next argument; a next argument
+            // that is an option itself means that the value was forgotten.
+            std::string value;
+            if (equal != std::string::npos)
+              value = argument.substr(equal + 1);
+            else if (i + 1 < arguments.size() &&
+                     arguments[i + 1].compare(0, 2, "--") != 0)
+              value = arguments[++i];
+
+            if (value.empty())
+              fail(option == "--output" ?
+                     "--output needs the name of a directory" :
+                     "--set needs an entry and a value, write --set "
+                     "'Subsection/Entry=value'");
+            if (option == "--set")
+              {
+                check_override(value);
+                result.overrides.push_back(value);
+              }
+            else
+              {
+                if (has_output)
+                  fail("--output is given twice, '" + result.output_directory +
+                       "' and '" + value + "'");
+                has_output              = true;
+                result.output_directory = value;
+              }
+            continue;
+          }
+
+        bool is_action = false;
+        for (const auto &[name, action] : actions)
+          if (option == name)
+            {
+              if (equal != std::string::npos)
+                fail(name + " takes no value, found '" + argument + "'");
+              if (!action_option.empty() && action_option != name)
+                fail(action_option + " and " + name +
+                     " exclude each other; choose one");
+              action_option = name;
+              result.action = action;
+              is_action     = true;
+            }
+        if (!is_action)
+          fail(unknown_option(option));
+      }
+
+    if (result.parameter_file.empty() &&
+        result.action != CommandLine::Action::print_defaults)
+      fail("the parameter file is missing, write npt_dealii FILE.prm");
+    return result;
+  }
+
+
+
+  std::string
+  help_text()
+  {
+    return R"(npt_dealii - numerical plate testing of woven fabrics
+
+Usage: npt_dealii FILE.prm [options]
+
+  FILE.prm                the experiment: unit cell, materials, contact, stages
+
+  --output DIR            write results to DIR instead of the directory named in
+                          the file
+  --set 'Sub/Entry=value' replace one entry of the file; may be repeated, and
+                          subsections within subsections are joined by '/'
+  --validate              read and check the file, compute nothing
+  --geometry-only         build the unit cell, write pictures of it, then stop
+  --print-defaults        write a documented parameter file to the screen
+  --help                  this text
+  --version               versions of this program and of deal.II
+
+Examples:
+  npt_dealii shear.prm
+  npt_dealii shear.prm --output mu02 --set 'Friction/Friction coefficient=0.2'
+  npt_dealii --print-defaults > my_test.prm
+
+Exit status: 0 done, 2 the input cannot be used (nothing was computed), other:
+the run ended early and its results so far are complete.
+)";
+  }
+
+
+
+  std::string
+  version_text(const std::string &program_version)
+  {
+    return "npt_dealii " + program_version + " (deal.II " +
+           DEAL_II_PACKAGE_VERSION + ")\n";
+  }
+} // namespace NPT
