@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The choice of panels, and the gnuplot script with its style.
+
+#include <npt_dealii/output/plots.h>
+#include <npt_dealii/output/replace_file.h>
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <ostream>
+
+namespace NPT
+{
+  namespace
+  {
+    // gnuplot takes single-quoted text literally except for the quote.
+    std::string
+    quote_for_gnuplot(const std::string &text)
+    {
+      std::string result = "'";
+      for (const char c : text)
+        result += (c == '\'' ? std::string("''") : std::string(1, c));
+      return result + "'";
+    }
+
+    std::string
+    quote_for_shell(const std::string &text)
+    {
+      std::string result = "'";
+      for (const char c : text)
+        result += (c == '\'' ? std::string("'\\''") : std::string(1, c));
+      return result + "'";
+    }
+
+    // What a column means, without its unit.
+    std::string
+    column_name(const std::string &column)
+    {
+      static const char *const meaning[6] = {
+        "stretch", "stretch", "shear", "bending", "bending", "torsion"};
+      if (column.size() == 2 && column[0] == 'H')
+        return meaning[column[1] - '1'] + std::string(" H_") + column[1];
+      if (column.size() == 2 && column[0] == 'n')
+        return std::string("n_") + column[1];
+      if (column.size() == 3 && (column[0] == 'N' || column[0] == 'M'))
+        return column.substr(0, 1) + "_{" + column.substr(1) + "}";
+      if (column == "n_active")
+        return "active points";
+      if (column == "n_stick")
+        return "sticking";
+      if (column == "n_slip")
+        return "sliding";
+      if (column == "cpu_seconds")
+        return "cpu time";
+
+      std::string words = column;
+      for (char &c : words)
+        if (c == '_')
+          c = ' ';
+      return words;
+    }
+
+    // Several columns on one axis: their names, and the unit if it is common.
+    std::string
+    axis_label(const std::string              &given,
+               const std::vector<std::string> &columns)
+    {
+      if (!given.empty() || columns.empty())
+        return given;
+      if (columns.size() == 1)
+        return column_label(columns[0]);
+
+      std::string names, unit = curve_column_unit(columns[0]);
+      for (const std::string &column : columns)
+        {
+          names += (names.empty() ? "" : ", ") + column_name(column);
+          if (curve_column_unit(column) != unit)
+            unit.clear();
+        }
+      return names + (unit.empty() ? "" : " [" + unit + "]");
+    }
+
+    double
+    range_of(const std::vector<CurveRow> &rows, const std::string &column)
+    {
+      double lowest = 0., highest = 0.;
+      for (std::size_t r = 0; r < rows.size(); ++r)
+        {
+          const double value = curve_value(rows[r], column);
+          lowest             = (r == 0 ? value : std::min(lowest, value));
+          highest            = (r == 0 ? value : std::max(highest, value));
+        }
+      return highest - lowest;
+    }
+
+    void
+    write_panel(std::ostream &out, const PlotSpec &plot)
+    {
+      curve_column_unit(plot.x_column); // throws if there is no such column
+
+      out << "\n  set title " << quote_for_gnuplot(plot.title)
+          << " noenhanced\n"
+          << "  set xlabel "
+          << quote_for_gnuplot(axis_label(plot.x_label, {plot.x_column}))
+          << "\n  set ylabel "
+          << quote_for_gnuplot(axis_label(plot.y_label, plot.y_columns))
+          << '\n';
+      if (plot.y2_columns.empty())
+        out << "  set border 3; unset y2tics; unset y2label; set ytics "
+               "nomirror\n";
+      else
+        out << "  set border 11; set y2tics; set ytics nomirror\n"
+            << "  set y2label "
+            << quote_for_gnuplot(axis_label(plot.y2_label, plot.y2_columns))
+            << '\n';
+
+      // A single curve needs no legend: the axis names it.
+      const bool   legend = plot.y_columns.size() + plot.y2_columns.size() > 1;
+      unsigned int style  = 1;
+      const char  *separator = "  plot \\\n";
+      const auto   draw = [&](const std::string &column, const bool second) {
+        curve_column_unit(column);
+        const std::string value = plot.stage.empty() ?
+                                      "(column('" + column + "'))" :
+                                      "(strcol('stage') eq " +
+                                      quote_for_gnuplot(plot.stage) +
+                                      " ? column('" + column + "') : NaN)";
+        out << separator << "    curves using (column('" << plot.x_column
+            << "')):" << value << (second ? " axes x1y2" : "")
+            << " with linespoints linestyle " << style++
+            << (legend ?
+                    " title " + quote_for_gnuplot(column_name(column) +
+                                                (second ? " (right)" : "")) :
+                    std::string(" notitle"));
+        separator = ", \\\n";
+      };
+      for (const std::string &column : plot.y_columns)
+        draw(column, false);
+      for (const std::string &column : plot.y2_columns)
+        draw(column, true);
+      out << '\n';
+    }
+  } // namespace
+
+
+
+  std::string
+  column_label(const std::string &column)
+  {
+    return column_name(column) + " [" + curve_column_unit(column) + "]";
+  }
+
+
+
+  unsigned int
+  driving_component(const std::vector<CurveRow> &rows)
+  {
+    std::array<double, 6> work{}, change{};
+    for (std::size_t r = 1; r < rows.size(); ++r)
+      for (unsigned int i = 0; i < 6; ++i)
+        {
+          const double dH = rows[r].H[i] - rows[r - 1].H[i];
+          work[i] += 0.5 * (rows[r].n[i] + rows[r - 1].n[i]) * dH;
+          change[i] += std::abs(dH);
+        }
+
+    const auto largest = [](const std::array<double, 6> &values) {
+      unsigned int best = 0;
+      for (unsigned int i = 1; i < 6; ++i)
+        if (std::abs(values[i]) > std::abs(values[best]))
+          best = i;
+      return values[best] != 0. ? best : 6;
+    };
+    const unsigned int by_work = largest(work);
+    return by_work < 6 ? by_work : largest(change);
+  }
+
+
+
+  std::vector<PlotSpec>
+  default_plots(const std::vector<CurveRow> &rows)
+  {
+    std::vector<PlotSpec> plots;
+    for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end)
+      {
+        while (end < rows.size() && rows[end].stage == rows[begin].stage)
+          ++end;
+        const std::vector<CurveRow> stage(rows.begin() + begin,
+                                          rows.begin() + end);
+        if (stage.size() < 2)
+          continue;
+
+        const unsigned int component = driving_component(stage);
+        PlotSpec           response;
+        response.stage = stage[0].stage;
+        response.title = stage[0].stage;
+        if (component < 6)
+          {
+            const std::string number = std::to_string(component + 1);
+            response.x_column        = "H" + number;
+            response.y_columns       = {"n" + number};
+          }
+        else
+          {
+            response.x_column  = "load_factor";
+            response.y_columns = {"stored_energy"};
+          }
+        plots.push_back(response);
+
+        PlotSpec meanwhile = response;
+        meanwhile.y_columns.clear();
+        bool contact = false;
+        for (const CurveRow &row : stage)
+          contact = contact || row.n_active > 0;
+        if (contact)
+          {
+            meanwhile.title += ": contact";
+            meanwhile.y_columns = {"n_stick", "n_slip"};
+            meanwhile.y_label   = "contact points";
+            if (range_of(stage, "dissipation") > 0.)
+              meanwhile.y2_columns = {"dissipation"};
+          }
+        else
+          {
+            meanwhile.title += ": normal resultants";
+            meanwhile.y_columns = {"n1", "n2"};
+          }
+        plots.push_back(meanwhile);
+      }
+    return plots;
+  }
+
+
+
+  void
+  write_plot_script(const std::string           &script,
+                    const std::string           &curve_file,
+                    const std::string           &picture,
+                    const std::vector<PlotSpec> &plots)
+  {
+    const unsigned int n_columns = (plots.size() > 1 ? 2 : 1);
+    const unsigned int n_rows    = (plots.size() + n_columns - 1) / n_columns;
+    const std::string  size      = std::to_string(520 * n_columns) + "," +
+                             std::to_string(360 * std::max(1u, n_rows));
+
+    replace_file(script, [&](std::ostream &out) {
+      out
+        << "# Draws " << curve_file << " to " << picture
+        << ".svg and .png. Change it and run `gnuplot` on it in this folder.\n"
+        << "curves = " << quote_for_gnuplot(curve_file) << "\n"
+        << "set datafile separator comma\n"
+        << "set datafile columnheaders\n"
+        << "set style line 1 linecolor rgb '#0072b2' linewidth 2 pointtype 7 "
+           "pointsize 0.5\n"
+        << "set style line 2 linecolor rgb '#d55e00' linewidth 2 pointtype 5 "
+           "pointsize 0.5\n"
+        << "set style line 3 linecolor rgb '#009e73' linewidth 2 pointtype 9 "
+           "pointsize 0.6\n"
+        << "set style line 4 linecolor rgb '#cc79a7' linewidth 2 pointtype 13 "
+           "pointsize 0.6\n"
+        << "set grid linecolor rgb '#dddddd' linetype 1 linewidth 1\n"
+        << "set key left top reverse Left samplen 2\n"
+        << "set tics nomirror out\n"
+        << "set format '%g'\n"
+        << "\n"
+        << "do for [kind in 'svg pngcairo'] {\n"
+        << "  if (strstrt(' '.GPVAL_TERMINALS.' ', ' '.kind.' ') == 0) { "
+           "continue }\n"
+        << "  if (kind eq 'svg') {\n"
+        << "    set terminal svg size " << size
+        << " font 'sans-serif,13' background 'white' dynamic\n"
+        << "    set output " << quote_for_gnuplot(picture + ".svg") << "\n"
+        << "  } else {\n"
+        << "    set terminal pngcairo size " << size
+        << " font 'sans-serif,11' background 'white'\n"
+        << "    set output " << quote_for_gnuplot(picture + ".png") << "\n"
+        << "  }\n"
+        << "  set multiplot layout " << std::max(1u, n_rows) << "," << n_columns
+        << "\n";
+      for (const PlotSpec &plot : plots)
+        write_panel(out, plot);
+      out << "\n  unset multiplot\n"
+          << "  unset output\n"
+          << "}\n";
+    });
+  }
+
+
+
+  std::string
+  run_gnuplot(const std::string &script)
+  {
+    const std::size_t slash = script.find_last_of('/');
+    const std::string folder =
+      (slash == std::string::npos ? "." : script.substr(0, slash + 1));
+    const std::string file =
+      (slash == std::string::npos ? script : script.substr(slash + 1));
+
+    // 127 is the shell's answer to an unknown program.
+    const int status =
+      std::system(("cd " + quote_for_shell(folder) + " && gnuplot " +
+                   quote_for_shell(file) + " >/dev/null 2>&1 </dev/null")
+                    .c_str());
+    if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 0)
+      return "";
+    if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 127)
+      return "gnuplot was not found, no picture is drawn; install gnuplot and "
+             "run it on " +
+             script + ".";
+    return "gnuplot failed on " + script +
+           ", no picture is drawn; run it by hand to see why.";
+  }
+
+
+
+  std::string
+  plot_curves(const std::string &folder, const std::vector<PlotSpec> &plots)
+  {
+    const std::vector<PlotSpec> panels =
+      (plots.empty() ? default_plots(read_curves(folder + "/curves.csv")) :
+                       plots);
+    if (panels.empty())
+      return "There are no curves to draw: no stage has two load steps.";
+
+    write_plot_script(folder + "/curves.gp", "curves.csv", "curves", panels);
+    return run_gnuplot(folder + "/curves.gp");
+  }
+} // namespace NPT
