@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the closest point of a surface to a point in space, edges and corners
+// included, and the surface geometry there.
+
+#ifndef npt_dealii_contact_closest_point_projection_h
+#define npt_dealii_contact_closest_point_projection_h
+
+#include <npt_dealii/contact/contact_surface.h>
+
+namespace NPT
+{
+  /**
+   * Closest point xi-bar of a primary surface (10) and the geometry there.
+   *
+   * A direction that is not `free` is held at a boundary of the surface, or at
+   * a knot where the surface is only C0: there the closest point lies on an
+   * edge or corner, r = x^s - x^m is not orthogonal to the surface, and
+   * the unit vector r/|r| takes the place of the normal (normal cone). So the
+   * gap depends continuously on the state also on C0 surfaces.
+   */
+  template <int dim>
+  struct ClosestPoint
+  {
+    static constexpr int m = dim - 1;
+
+    bool                          found = false;
+    unsigned int                  surface = 0; ///< which primary surface
+    std::array<double, m>         u;           ///< parameters xi-bar
+    std::array<unsigned int, m>   span;        ///< polynomial piece used
+    std::array<bool, m>           free;        ///< orthogonal direction
+    bool                          on_boundary = false; ///< of the surface
+    double                        gap         = 0; ///< (9) [mm], > 0 open
+    dealii::Tensor<1, dim>        normal; ///< unit; gap = normal . r
+    dealii::Tensor<1, dim>        r;      ///< x^s - x^m
+    std::array<dealii::Tensor<1, dim>, m> a; ///< tangents a_alpha
+    std::array<dealii::Tensor<1, dim>, SymmetricIndices<m>::n_second> x_second;
+    std::array<dealii::Tensor<1, dim>, SymmetricIndices<m>::n_third>  x_third;
+    SurfaceShape<m>               shape; ///< functions, up to third order
+  };
+
+  /// Start value of a projection.
+  template <int dim>
+  struct ProjectionStart
+  {
+    bool                            known = false;
+    unsigned int                    surface = 0;
+    std::array<double, dim - 1>     u;
+  };
+
+  /**
+   * Minimize |x - x^m(u)| over one surface by Newton's method with bounds:
+   * the parameter domain is cut into the pieces between C0 knots (one piece
+   * for a smooth surface); inside a piece a damped Newton method with the
+   * Hessian a_ab - r . x_,ab (Gauss-Newton where that is indefinite), at the
+   * border of a piece a change to the neighboring one as long as the distance
+   * falls. The distance decreases monotonically, so the method cannot cycle.
+   *
+   * @param positions Current control points of the surface.
+   * @param point x^s.
+   * @param start Start parameters.
+   * @param third_derivatives Compute x_third as well (needed by the tangent of
+   *   friction only).
+   * @return The closest point; found = false if the iteration failed (then the
+   *   caller tries another start or gives up).
+   */
+  template <int dim>
+  ClosestPoint<dim>
+  project(const ContactSurface<dim> &            surface,
+          const std::vector<dealii::Point<dim>> &positions,
+          const dealii::Point<dim> &             point,
+          const std::array<double, dim - 1> &    start,
+          const bool                             third_derivatives);
+} // namespace NPT
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the virtual work of frictional contact of one secondary surface with
+// its primary surfaces: state, residual, consistent tangent, history.
+
+#ifndef npt_dealii_contact_contact_assembler_h
+#define npt_dealii_contact_contact_assembler_h
+
+#include <npt_dealii/contact/averaging.h>
+#include <npt_dealii/contact/contact_history.h>
+#include <npt_dealii/contact/contact_kinematics.h>
+#include <npt_dealii/contact/contact_parameters.h>
+#include <npt_dealii/contact/friction_law.h>
+#include <npt_dealii/contact/normal_law.h>
+
+#include <functional>
+
+namespace NPT
+{
+  /**
+   * Frictional contact of one secondary surface, (43),
+   *
+   * @f[ C_c = \sum_I W_I \left( p^I \, \delta g^I
+   *           + t_a^I \, \delta\xi^{a,I} \right), @f]
+   *
+   * with the nodes I of Averaging. The three questions of contact are answered
+   * one after the other: evaluate() finds where the surfaces are and how far
+   * apart (projection, averages) and what the laws answer; residual() and
+   * tangent() say where the traction acts. The assembled virtual work is
+   * delta W_int + C_c = 0 ((15) misprints the sign).
+   *
+   * Unknowns are numbered by the ContactSurface objects; vectors are full
+   * (unconstrained) vectors.
+   */
+  template <int dim>
+  class ContactAssembler
+  {
+  public:
+    static constexpr int m = dim - 1;
+
+    /// Integer weight of a node in the virtual work, by the reference position
+    /// of its control point or Gauss point; see fabric symmetry (a 2-fold axis
+    /// lets one half of the nodes stand for both).
+    using Multiplicity =
+      std::function<unsigned int(const dealii::Point<dim> &)>;
+
+    /**
+     * @param maximum_penetration Deeper closest points are rejected [mm].
+     */
+    ContactAssembler(const ContactSurface<dim> &             secondary,
+                     const std::vector<ContactSurface<dim>> &primaries,
+                     const ContactParameters &               contact,
+                     const FrictionParameters &              friction,
+                     const double                            maximum_penetration,
+                     const Multiplicity &                    multiplicity = {});
+
+    /// Switch friction on (with zero slip history from now on) or off.
+    void
+    set_friction(const bool on);
+
+    /**
+     * Start a step from the accepted displacement: full search for the closest
+     * points, so that nothing of a rejected attempt survives.
+     */
+    void
+    start_step(const dealii::Vector<double> &accepted_displacement);
+
+    /// Compute gaps, pressures and tractions at this displacement. Throws
+    /// ProjectionLost if a point has no closest point.
+    void
+    evaluate(const dealii::Vector<double> &displacement);
+
+    /// Add C_c of the evaluated state to a full residual vector.
+    void
+    add_residual(dealii::Vector<double> &residual) const;
+
+    /// Receives unknowns and a dense matrix (row major) to be added.
+    using AddMatrix = std::function<void(const std::vector<unsigned int> &dofs,
+                                         const std::vector<double> &matrix)>;
+    /// Hand the blocks of the consistent tangent of the evaluated state out.
+    void
+    add_tangent(const AddMatrix &add) const;
+
+    /// Groups of unknowns that the tangent couples, for all nodes that are
+    /// closed or nearer than `margin` [mm].
+    std::vector<std::vector<unsigned int>>
+    coupled_unknowns(const double margin) const;
+
+    /// Make the evaluated state the accepted one.
+    void
+    commit();
+
+    /// Figures of the evaluated state.
+    struct Summary
+    {
+      unsigned int n_active            = 0;
+      unsigned int n_stick             = 0;
+      unsigned int n_slip              = 0;
+      double       energy              = 0; ///< normal penalty energy [N mm]
+      double       friction_energy     = 0; ///< tangential penalty [N mm]
+      double       dissipation         = 0; ///< of this increment [N mm]
+      double       largest_penetration = 0; ///< over nodes [mm]
+    };
+    Summary
+    summary() const;
+
+    /// State at a contact node.
+    struct NodeState
+    {
+      double                                 gap      = 0;
+      bool                                   active   = false;
+      bool                                   slipping = false;
+      double                                 pressure = 0; ///< p <= 0
+      double                                 slope    = 0;
+      double                                 energy   = 0;
+      std::array<double, m>                  slip     = {};
+      typename FrictionLaw<m>::Answer        friction;
+    };
+    const std::vector<NodeState> &
+    nodes() const
+    {
+      return nodes_;
+    }
+    const Averaging &
+    averaging() const
+    {
+      return averaging_;
+    }
+    const ContactSurface<dim> &
+    secondary() const
+    {
+      return secondary_;
+    }
+    const std::vector<typename IGASurface<dim>::QuadraturePoint> &
+    quadrature_points() const
+    {
+      return points_;
+    }
+    const std::vector<ClosestPoint<dim>> &
+    closest_points() const
+    {
+      return closest_;
+    }
+    /// Committed state, for checkpoints and for undoing.
+    const ContactHistory<dim> &
+    history() const
+    {
+      return history_;
+    }
+    void
+    set_history(const ContactHistory<dim> &history)
+    {
+      history_ = history;
+    }
+    /// Multipliers of the augmented Lagrangian are part of the history.
+    ContactHistory<dim> &
+    history()
+    {
+      return history_;
+    }
+
+  private:
+    // Unknowns and jet values at one Gauss point.
+    struct PointFunctions
+    {
+      std::vector<unsigned int> dofs; // first unknown of each function
+      // jet[f] holds the value of functional f for each function.
+      std::array<std::vector<double>, ContactKinematics<dim>::n_jets> jet;
+    };
+    void
+    point_functions(const unsigned int q, PointFunctions &functions) const;
+    bool
+    usable(const unsigned int q) const;
+    void
+    find_closest(const dealii::Point<dim> &x,
+                 const unsigned int        q,
+                 ClosestPoint<dim> &       closest) const;
+
+    ContactSurface<dim>                                    secondary_;
+    std::vector<ContactSurface<dim>>                       primaries_;
+    ContactParameters                                      contact_;
+    FrictionLaw<m>                                         friction_law_;
+    bool                                                   friction_on_ = false;
+    double                                                 maximum_penetration_;
+    std::vector<typename IGASurface<dim>::QuadraturePoint> points_;
+    Averaging                                              averaging_;
+    std::vector<unsigned int>                              multiplicity_;
+
+    ContactHistory<dim>                            history_;
+    std::vector<ProjectionStart<dim>>              starts_;
+    std::vector<std::vector<dealii::Point<dim>>>   primary_positions_;
+    std::vector<ClosestPoint<dim>>                 closest_;
+    std::vector<NodeState>                         nodes_;
+    // Sums over the nodes of W_I A_Iq p^I and W_I A_Iq t_a^I at the points.
+    std::vector<double>                point_pressure_;
+    std::vector<std::array<double, m>> point_traction_;
+    std::vector<bool>                  point_loaded_;
+  };
+} // namespace NPT
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns what a contact pair remembers of the last accepted step.
+
+#ifndef npt_dealii_contact_contact_history_h
+#define npt_dealii_contact_contact_history_h
+
+#include <npt_dealii/contact/closest_point_projection.h>
+
+namespace NPT
+{
+  /**
+   * Committed contact state. It changes only when a load step is accepted, so
+   * a step is a pure function of (accepted state, increment).
+   */
+  template <int dim>
+  struct ContactHistory
+  {
+    /// Friction traction t_{a,n} of every contact node.
+    std::vector<std::array<double, dim - 1>> traction;
+    /// Multiplier of the augmented Lagrangian of every node [MPa].
+    std::vector<double> multiplier;
+    /// Closest point of every Gauss point: reference of the slip increment.
+    std::vector<ProjectionStart<dim>> closest;
+  };
+} // namespace NPT
+
+#endif

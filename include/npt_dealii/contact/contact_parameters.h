@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the contact and friction entries of the parameter file.
+
+#ifndef npt_dealii_contact_contact_parameters_h
+#define npt_dealii_contact_contact_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace NPT
+{
+  /// Subsection "Contact".
+  struct ContactParameters
+  {
+    std::string  method               = "mortar"; ///< mortar or KTS
+    double       normal_penalty       = 100.;     ///< epsilon_N [N/mm^3]
+    unsigned int n_quadrature_points  = 0;        ///< 0: degree + 1
+    double       maximum_penetration  = 0.5;      ///< fraction of thickness
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /// Subsection "Friction".
+  struct FrictionParameters
+  {
+    double coefficient        = 0.3;  ///< mu [-]
+    double tangential_penalty = 100.; ///< epsilon_T [N/mm^3]
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+} // namespace NPT
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns a surface that takes part in contact: a patch face with its unknowns,
+// possibly seen through an affine map (the image in a neighboring cell).
+
+#ifndef npt_dealii_contact_contact_surface_h
+#define npt_dealii_contact_contact_surface_h
+
+#include <npt_dealii/iga/iga_surface.h>
+
+#include <deal.II/lac/vector.h>
+
+namespace NPT
+{
+  /**
+   * A patch face in contact. Its control points have reference positions and
+   * unknowns; for an image in a neighboring cell these are the mapped
+   * positions and the ghost unknowns that AffineConstraints ties to the base
+   * cell and the macro unknowns. Contact itself does not know the difference.
+   */
+  template <int dim>
+  class ContactSurface
+  {
+  public:
+    static constexpr int m = dim - 1;
+
+    /// A face of the base cell: unknown dim*control_point + component.
+    explicit ContactSurface(const IGASurface<dim> &surface)
+      : surface_(&surface)
+      , orientation_(surface.orientation())
+    {
+      for (unsigned int l = 0; l < surface.n_control_points(); ++l)
+        {
+          reference_.push_back(surface.reference_position(l));
+          first_dof_.push_back(dim * surface.control_point(l));
+        }
+    }
+
+    /**
+     * An image of a face.
+     *
+     * @param reference Mapped reference positions per lattice position.
+     * @param first_dof First of the dim ghost unknowns per lattice position.
+     * @param mirrored The map has determinant -1: the normal turns over.
+     */
+    ContactSurface(const IGASurface<dim> &                surface,
+                   const std::vector<dealii::Point<dim>> &reference,
+                   const std::vector<unsigned int> &      first_dof,
+                   const bool                             mirrored)
+      : surface_(&surface)
+      , orientation_(surface.orientation() * (mirrored ? -1. : 1.))
+      , reference_(reference)
+      , first_dof_(first_dof)
+    {
+      AssertDimension(reference.size(), surface.n_control_points());
+      AssertDimension(first_dof.size(), surface.n_control_points());
+    }
+
+    const IGASurface<dim> &
+    surface() const
+    {
+      return *surface_;
+    }
+    /// Sign that makes a_1 x a_2 the outward normal.
+    double
+    orientation() const
+    {
+      return orientation_;
+    }
+    unsigned int
+    first_dof(const unsigned int lattice) const
+    {
+      return first_dof_[lattice];
+    }
+    const dealii::Point<dim> &
+    reference_position(const unsigned int lattice) const
+    {
+      return reference_[lattice];
+    }
+
+    /// Current positions x = X + w of the control points.
+    void
+    update_positions(const dealii::Vector<double> &displacement,
+                     std::vector<dealii::Point<dim>> &positions) const
+    {
+      positions = reference_;
+      for (unsigned int l = 0; l < positions.size(); ++l)
+        for (unsigned int c = 0; c < dim; ++c)
+          positions[l][c] += displacement[first_dof_[l] + c];
+    }
+
+  private:
+    const IGASurface<dim> *         surface_;
+    double                          orientation_;
+    std::vector<dealii::Point<dim>> reference_;
+    std::vector<unsigned int>       first_dof_;
+  };
+} // namespace NPT
+
+#endif

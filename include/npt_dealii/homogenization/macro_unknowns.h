@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the global unknowns of a cell: H1..H6 and the weaving offset, their
+// places among the unknowns and which of them are prescribed.
+
+#ifndef npt_dealii_homogenization_macro_unknowns_h
+#define npt_dealii_homogenization_macro_unknowns_h
+
+#include <array>
+
+namespace NPT
+{
+  /**
+   * Numbering of all unknowns of a cell: three displacement components per
+   * control point, then the six generalized displacement gradients H1..H6
+   * (H1..H3 [-], H4..H6 [1/mm]), then the weaving offset [mm]: the distance by
+   * which the bundles are still held apart, from t (straight) to 0 (woven).
+   */
+  struct MacroUnknowns
+  {
+    static constexpr unsigned int n_modes = 6;
+    static constexpr unsigned int n_macro = 7;
+
+    explicit MacroUnknowns(const unsigned int n_control_points)
+      : first(3 * n_control_points)
+    {}
+
+    unsigned int
+    mode(const unsigned int n) const
+    {
+      return first + n;
+    }
+    unsigned int
+    weaving_offset() const
+    {
+      return first + n_modes;
+    }
+    unsigned int
+    n_unknowns() const
+    {
+      return first + n_macro;
+    }
+
+    unsigned int first;
+  };
+} // namespace NPT
+
+#endif

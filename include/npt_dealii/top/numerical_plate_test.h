@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the numerical plate test: the whole method, from the parameter file to
+// curves, in the order of run().
+
+#ifndef npt_dealii_top_numerical_plate_test_h
+#define npt_dealii_top_numerical_plate_test_h
+
+#include <npt_dealii/cell/fabric_cell.h>
+#include <npt_dealii/contact/contact_assembler.h>
+#include <npt_dealii/homogenization/macro_unknowns.h>
+#include <npt_dealii/homogenization/periodicity.h>
+#include <npt_dealii/homogenization/resultants.h>
+#include <npt_dealii/iga/iga_space.h>
+#include <npt_dealii/material/solid_kernel.h>
+#include <npt_dealii/output/curve_writer.h>
+#include <npt_dealii/output/run_log.h>
+#include <npt_dealii/solver/condensed_system.h>
+#include <npt_dealii/solver/linear_solver.h>
+#include <npt_dealii/solver/newton.h>
+#include <npt_dealii/top/parameters.h>
+
+#include <deal.II/base/timer.h>
+
+#include <memory>
+
+namespace NPT
+{
+  /**
+   * Numerical plate test of a woven fabric with frictional contact.
+   *
+   * Unknowns are u = (w of all control points, H1..H6, weaving offset); the
+   * couplings of the cell leave the independent ones m, u = C m, of which H1
+   * to H6 and the offset are prescribed (or loaded by resultants). A load step
+   * solves
+   *
+   * @f[ C^T ( f_{int}(u) + f_{contact}(u) ) = f_{macro} @f]
+   *
+   * for the free m by Newton's method. The state changes only when a step is
+   * accepted.
+   *
+   * To build another kind of test, derive from this class or copy it and
+   * change run(), as one does with a deal.II tutorial program.
+   */
+  class NumericalPlateTest
+  {
+  public:
+    /**
+     * @param directory Existing folder for all results; empty: write nothing
+     *   (tests).
+     * @param screen Where the log is shown.
+     */
+    NumericalPlateTest(const Parameters & parameters,
+                       const std::string &directory,
+                       std::ostream &     screen);
+    virtual ~NumericalPlateTest() = default;
+
+    /// The whole test. Throws StageFailed if a stage cannot be finished; all
+    /// results up to there are complete on disk.
+    virtual void
+    run();
+
+    /// One row per accepted step.
+    const std::vector<CurveRow> &
+    curve() const
+    {
+      return curve_;
+    }
+
+  protected:
+    void
+    make_unit_cell();
+    void
+    setup_system();
+    void
+    run_stage(const LoadStage &stage);
+
+    /// Couplings and prescribed unknowns of a stage.
+    void
+    begin_stage(const LoadStage &stage);
+    /// One load step from the accepted state to a load factor of the stage;
+    /// false: it failed, and the accepted state is unchanged.
+    bool
+    solve_load_step(const LoadStage &stage, const double load_factor);
+    void
+    commit_history(const LoadStage &stage, const double load_factor);
+
+    /// Residual of the full system at u: bundles, contact.
+    void
+    assemble_residual(const dealii::Vector<double> &u,
+                      dealii::Vector<double> &      residual);
+    /// Tangent of the state last seen by assemble_residual().
+    void
+    assemble_tangent(const dealii::Vector<double> &u);
+    void
+    assemble_bundles(const dealii::Vector<double> &u,
+                     dealii::Vector<double> *      residual);
+    void
+    rebuild_pattern();
+    Resultants
+    compute_averages(const dealii::Vector<double> &u) const;
+    double
+    stored_energy(const dealii::Vector<double> &u) const;
+
+    void
+    output_fields(const std::string &stage);
+    void
+    finish_output();
+    double
+    cpu_seconds() const;
+
+    /// Local unknowns of a cell, ordered by component as the kernel wants.
+    void
+    cell_displacement(const unsigned int            cell,
+                      const dealii::Vector<double> &u,
+                      std::vector<double> &         w) const;
+
+    const Parameters    parameters_;
+    const std::string   directory_;
+    RunLog              log_;
+    dealii::TimerOutput timer_;
+    const double        cpu_start_;
+
+    // The cell and its discretization.
+    std::unique_ptr<FabricCell>                             cell_;
+    std::unique_ptr<IGASpace<3>>                            space_;
+    std::vector<std::unique_ptr<HyperelasticLaw<3>>>        laws_; // by bundle
+    std::vector<CellGradients>                              gradients_;
+    std::vector<unsigned int>                               multiplicity_;
+    std::vector<std::vector<unsigned int>>                  cell_unknowns_;
+    std::vector<std::unique_ptr<IGASurface<3>>>             surfaces_;
+    std::vector<std::unique_ptr<ContactAssembler<3>>>       contacts_;
+    MacroUnknowns                                           macro_;
+    std::vector<double>                                     height_;
+
+    // The system of the present stage.
+    CondensedSystem                        system_;
+    std::unique_ptr<LinearSolver>          linear_solver_;
+    SolidKernel                            kernel_;
+    std::vector<std::vector<unsigned int>> contact_couplings_;
+    bool                                   pattern_is_current_ = false;
+    double                                 force_scale_        = 0;
+
+    // The accepted state, and the one before for extrapolation.
+    dealii::Vector<double> u_;          // full
+    dealii::Vector<double> u_previous_; // full, same stage
+    bool                   has_previous_ = false;
+    double                 load_factor_ = 0, load_factor_previous_ = 0;
+    std::array<double, MacroUnknowns::n_macro> stage_start_, stage_target_;
+    std::array<bool, MacroUnknowns::n_modes>   resultant_controlled_{};
+    std::array<double, MacroUnknowns::n_modes> force_start_{}, force_target_{};
+    std::array<double, MacroUnknowns::n_modes> conjugate_{};
+    std::array<double, MacroUnknowns::n_modes> applied_{};
+    std::vector<double>                        height_of_stage_;
+
+    // The trial state of the last successful solve_load_step().
+    dealii::Vector<double> u_trial_, residual_;
+    NewtonReport           report_;
+
+    std::vector<CurveRow>                            curve_;
+    std::unique_ptr<CurveWriter>                     curve_writer_;
+    std::vector<std::pair<double, std::string>>      bundle_files_, contact_files_;
+    unsigned int                                     cuts_      = 0;
+    double                                           stages_done_ = 0;
+    std::string                                      failure_reason_;
+  };
+} // namespace NPT
+
+#endif

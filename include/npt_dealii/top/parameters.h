@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns all parameters of a plate test: gathers the rooms' structs, declares,
+// reads and cross-checks them.
+
+#ifndef npt_dealii_top_parameters_h
+#define npt_dealii_top_parameters_h
+
+#include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/cell/cell_parameters.h>
+#include <npt_dealii/contact/contact_parameters.h>
+#include <npt_dealii/material/make_material.h>
+#include <npt_dealii/solver/linear_solver.h>
+#include <npt_dealii/solver/load_programme.h>
+#include <npt_dealii/solver/newton.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace NPT
+{
+  /// Subsection "Output".
+  struct OutputParameters
+  {
+    std::string directory   = "output";
+    std::string fields      = "stages"; ///< none, stages or steps
+    bool        picture     = true;
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /**
+   * Parameters of a numerical plate test. Origin stays visible:
+   * parameters.friction.coefficient is the entry "Friction coefficient" of
+   * subsection "Friction".
+   */
+  struct Parameters
+  {
+    CellParameters         cell;
+    MeshParameters         mesh;
+    MaterialParameters     material;
+    ContactParameters      contact;
+    FrictionParameters     friction;
+    LoadProgramme          load_programme;
+    NewtonParameters       newton;
+    LinearSolverParameters linear_solver;
+    OutputParameters       output;
+
+    /// The complete file with defaults, as it will be kept with the results.
+    std::string used_file;
+
+    /**
+     * Read a parameter file (or its text) with overrides
+     * 'Subsection/Entry=value', checking everything.
+     *
+     * Throws InputError with one sentence for the first mistake.
+     */
+    static Parameters
+    read(const ParameterText &           text,
+         const std::vector<std::string> &overrides = {});
+
+    /// A documented parameter file with all defaults.
+    static std::string
+    documented_defaults();
+  };
+} // namespace NPT
+
+#endif

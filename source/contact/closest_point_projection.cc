@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Closest point projection by a bounded, damped Newton method.
+
+#include <npt_dealii/contact/closest_point_projection.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace NPT
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  namespace
+  {
+    template <int m>
+    using Span = std::array<unsigned int, m>;
+
+    // Surface point and derivatives at u with the polynomial of a given span.
+    template <int dim>
+    void
+    evaluate_geometry(const ContactSurface<dim> &    surface,
+                      const std::vector<Point<dim>> &positions,
+                      const Point<dim> &             point,
+                      const std::array<double, dim - 1> &u,
+                      const Span<dim - 1> &          span,
+                      const unsigned int             n_derivatives,
+                      ClosestPoint<dim> &            c)
+    {
+      constexpr int m = dim - 1;
+      surface.surface().evaluate(u, n_derivatives, c.shape, &span);
+      c.u    = u;
+      c.span = span;
+
+      const unsigned int n = c.shape.lattice.size();
+      Tensor<1, dim>     x;
+      for (auto &t : c.a)
+        t = 0;
+      for (auto &t : c.x_second)
+        t = 0;
+      for (auto &t : c.x_third)
+        t = 0;
+      for (unsigned int l = 0; l < n; ++l)
+        {
+          const Point<dim> &P = positions[c.shape.lattice[l]];
+          x += c.shape.value[l] * P;
+          for (unsigned int k = 0; k < m; ++k)
+            c.a[k] += c.shape.first[k][l] * P;
+          for (unsigned int k = 0; k < c.x_second.size(); ++k)
+            c.x_second[k] += c.shape.second[k][l] * P;
+          if (n_derivatives >= 3)
+            for (unsigned int k = 0; k < c.x_third.size(); ++k)
+              c.x_third[k] += c.shape.third[k][l] * P;
+        }
+      c.r = point - x;
+    }
+
+    // Interval of parameters around a span over which the surface is C1.
+    std::pair<double, double>
+    smooth_piece(const KnotVector &knots, const unsigned int span)
+    {
+      const auto & breaks = knots.breaks();
+      unsigned int begin = span, end = span + 1;
+      while (begin > 0 && knots.multiplicity(breaks[begin]) < knots.degree())
+        --begin;
+      while (end + 1 < breaks.size() &&
+             knots.multiplicity(breaks[end]) < knots.degree())
+        ++end;
+      return {breaks[begin], breaks[end]};
+    }
+
+    // Span of the piece [low, high] that contains u; at the upper end of the
+    // piece the last span of the piece, not the first of the next one.
+    unsigned int
+    span_in_piece(const KnotVector &               knots,
+                  const std::pair<double, double> &piece,
+                  const double                     u)
+    {
+      unsigned int e = knots.find_span(u);
+      while (e > 0 && knots.breaks()[e] >= piece.second)
+        --e;
+      return e;
+    }
+
+    template <int dim>
+    Tensor<1, dim>
+    unit_normal(const ContactSurface<dim> &               surface,
+                const std::array<Tensor<1, dim>, dim - 1> &a)
+    {
+      Tensor<1, dim> n;
+      if constexpr (dim == 3)
+        n = cross_product_3d(a[0], a[1]);
+      else
+        n = cross_product_2d(a[0]);
+      return surface.orientation() * n / n.norm();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ClosestPoint<dim>
+  project(const ContactSurface<dim> &        surface,
+          const std::vector<Point<dim>> &    positions,
+          const Point<dim> &                 point,
+          const std::array<double, dim - 1> &start,
+          const bool                         third_derivatives)
+  {
+    constexpr int          m = dim - 1;
+    const IGASurface<dim> &face = surface.surface();
+
+    std::array<std::pair<double, double>, m> domain, piece;
+    std::array<double, m>                    u    = start;
+    Span<m>                                  span = {};
+    for (int k = 0; k < m; ++k)
+      {
+        const KnotVector &knots = face.knot_vector(k);
+        domain[k] = {knots.breaks().front(), knots.breaks().back()};
+        u[k]      = std::min(std::max(u[k], domain[k].first), domain[k].second);
+        span[k]   = knots.find_span(u[k]);
+        piece[k]  = smooth_piece(knots, span[k]);
+      }
+
+    ClosestPoint<dim> c, trial;
+    evaluate_geometry(surface, positions, point, u, span, 2, c);
+    double       distance2   = c.r.norm_square();
+    const double length_tiny = 1e-14;
+    unsigned int n_changes   = 0;
+
+    for (unsigned int iteration = 0; iteration < 100; ++iteration)
+      {
+        // Half the gradient and Hessian of the squared distance.
+        double gradient[m], H[m][m], metric[m];
+        bool   free[m];
+        for (int k = 0; k < m; ++k)
+          {
+            gradient[k]        = -(c.r * c.a[k]);
+            metric[k]          = c.a[k].norm_square();
+            const bool at_low  = u[k] <= piece[k].first;
+            const bool at_high = u[k] >= piece[k].second;
+            free[k]            = !((at_low && gradient[k] > 0) ||
+                        (at_high && gradient[k] < 0));
+          }
+        for (int k = 0; k < m; ++k)
+          for (int l = 0; l < m; ++l)
+            H[k][l] = c.a[k] * c.a[l] -
+                      c.r * c.x_second[SymmetricIndices<m>::second(k, l)];
+
+        double step[m];
+        for (int k = 0; k < m; ++k)
+          step[k] = 0;
+        bool any_free = false;
+        for (int k = 0; k < m; ++k)
+          any_free = any_free || free[k];
+        if (any_free)
+          {
+            bool gauss_newton = false;
+            for (int attempt = 0; attempt < 2; ++attempt)
+              {
+                if (m == 2 && free[0] && free[m - 1])
+                  {
+                    const double det =
+                      H[0][0] * H[m - 1][m - 1] - H[0][m - 1] * H[0][m - 1];
+                    if (H[0][0] > 1e-3 * metric[0] &&
+                        det > 1e-6 * metric[0] * metric[m - 1])
+                      {
+                        step[0] = -(H[m - 1][m - 1] * gradient[0] -
+                                    H[0][m - 1] * gradient[m - 1]) /
+                                  det;
+                        step[m - 1] = -(H[0][0] * gradient[m - 1] -
+                                        H[0][m - 1] * gradient[0]) /
+                                      det;
+                        break;
+                      }
+                  }
+                else
+                  {
+                    const int k = free[0] ? 0 : m - 1;
+                    if (H[k][k] > 1e-3 * metric[k])
+                      {
+                        step[k] = -gradient[k] / H[k][k];
+                        break;
+                      }
+                  }
+                if (gauss_newton)
+                  return c; // degenerate surface: found stays false
+                gauss_newton = true;
+                for (int k = 0; k < m; ++k)
+                  for (int l = 0; l < m; ++l)
+                    H[k][l] = c.a[k] * c.a[l];
+              }
+          }
+
+        double decrement = 0, length = 0;
+        for (int k = 0; k < m; ++k)
+          if (free[k])
+            {
+              decrement -= gradient[k] * step[k];
+              length = std::max(length, std::abs(step[k]) *
+                                          std::sqrt(metric[k]));
+            }
+        const double scale = std::sqrt(distance2) + std::sqrt(metric[0]);
+
+        if (!any_free || length <= length_tiny * scale || decrement <= 0)
+          {
+            // Stationary in this piece: look across the C0 knots we are held
+            // at; the neighbor may lead further down.
+            bool changed = false;
+            for (int k = 0; k < m && !changed; ++k)
+              if (!free[k] && n_changes < 40)
+                {
+                  const KnotVector &knots = face.knot_vector(k);
+                  const bool        high  = u[k] >= piece[k].second;
+                  if ((high && u[k] >= domain[k].second) ||
+                      (!high && u[k] <= domain[k].first))
+                    continue;
+                  Span<m> other = span;
+                  other[k] += high ? 1 : -1;
+                  evaluate_geometry(
+                    surface, positions, point, u, other, 2, trial);
+                  const double slope = -(trial.r * trial.a[k]);
+                  const double size =
+                    trial.a[k].norm() * trial.r.norm() * 1e-12;
+                  if ((high && slope < -size) || (!high && slope > size))
+                    {
+                      span     = other;
+                      piece[k] = smooth_piece(knots, span[k]);
+                      c        = trial;
+                      ++n_changes;
+                      changed = true;
+                    }
+                }
+            if (changed)
+              continue;
+
+            c.found       = true;
+            c.on_boundary = false;
+            for (int k = 0; k < m; ++k)
+              {
+                c.free[k] = free[k];
+                if (!free[k] && (u[k] <= domain[k].first ||
+                                 u[k] >= domain[k].second))
+                  c.on_boundary = true;
+              }
+            break;
+          }
+
+        // Armijo backtracking along the projected path.
+        double alpha    = 1;
+        bool   accepted = false;
+        for (unsigned int halving = 0; halving < 30 && !accepted;
+             ++halving, alpha *= 0.5)
+          {
+            std::array<double, m> u_new;
+            Span<m>               span_new;
+            double                predicted = 0;
+            for (int k = 0; k < m; ++k)
+              {
+                u_new[k] = std::min(std::max(u[k] + alpha * step[k],
+                                             piece[k].first),
+                                    piece[k].second);
+                span_new[k] =
+                  span_in_piece(face.knot_vector(k), piece[k], u_new[k]);
+                predicted += gradient[k] * (u_new[k] - u[k]);
+              }
+            evaluate_geometry(
+              surface, positions, point, u_new, span_new, 2, trial);
+            const double trial2 = trial.r.norm_square();
+            if (trial2 <= distance2 + 2e-4 * predicted ||
+                (length < 1e-7 * scale && trial2 <= distance2 * (1 + 1e-14)))
+              {
+                u         = u_new;
+                span      = span_new;
+                c         = trial;
+                distance2 = trial2;
+                accepted  = true;
+              }
+          }
+        if (!accepted)
+          {
+            // Round-off: the distance cannot be told apart any more.
+            if (length < 1e-6 * scale)
+              {
+                c.found = true;
+                for (int k = 0; k < m; ++k)
+                  c.free[k] = free[k];
+              }
+            break;
+          }
+      }
+    if (!c.found)
+      return c;
+
+    if (third_derivatives)
+      evaluate_geometry(surface, positions, point, u, span, 3, c);
+
+    bool all_free = true;
+    for (int k = 0; k < m; ++k)
+      all_free = all_free && c.free[k];
+
+    const Tensor<1, dim> n = unit_normal(surface, c.a);
+    const double         r = c.r.norm();
+    if (all_free || r < 1e-12)
+      {
+        c.normal = n;
+        c.gap    = n * c.r;
+        return c;
+      }
+
+    // Edge or corner. Beyond the boundary of the surface the point is outside
+    // of the body (open). At a C0 knot the mean of the adjacent normals tells
+    // inside from outside.
+    double side = 1;
+    if (!c.on_boundary)
+      {
+        Tensor<1, dim> mean = n;
+        for (int k = 0; k < m; ++k)
+          if (!c.free[k])
+            {
+              Span<m> other = span;
+              other[k] += u[k] >= piece[k].second ? 1 : -1;
+              evaluate_geometry(surface, positions, point, u, other, 2, trial);
+              mean += unit_normal(surface, trial.a);
+            }
+        side = mean * c.r >= 0 ? 1. : -1.;
+      }
+    c.normal = side * c.r / r;
+    c.gap    = side * r;
+    return c;
+  }
+
+  template ClosestPoint<2>
+  project(const ContactSurface<2> &,
+          const std::vector<Point<2>> &,
+          const Point<2> &,
+          const std::array<double, 1> &,
+          const bool);
+  template ClosestPoint<3>
+  project(const ContactSurface<3> &,
+          const std::vector<Point<3>> &,
+          const Point<3> &,
+          const std::array<double, 2> &,
+          const bool);
+} // namespace NPT

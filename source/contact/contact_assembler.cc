@@ -1,0 +1,608 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Virtual work of frictional contact and its consistent linearization.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/contact/contact_assembler.h>
+#include <npt_dealii/contact/contact_search.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <tuple>
+
+namespace NPT
+{
+  using dealii::Point;
+  using dealii::Vector;
+
+  template <int dim>
+  ContactAssembler<dim>::ContactAssembler(
+    const ContactSurface<dim> &             secondary,
+    const std::vector<ContactSurface<dim>> &primaries,
+    const ContactParameters &               contact,
+    const FrictionParameters &              friction,
+    const double                            maximum_penetration,
+    const Multiplicity &                    multiplicity)
+    : secondary_(secondary)
+    , primaries_(primaries)
+    , contact_(contact)
+    , friction_law_{friction.coefficient, friction.tangential_penalty}
+    , maximum_penetration_(maximum_penetration)
+    , points_(secondary.surface().quadrature(contact.n_quadrature_points))
+    , averaging_(contact.method == "mortar" ?
+                   Averaging::mortar<dim>(secondary.surface(), points_) :
+                   Averaging::pointwise<dim>(points_))
+  {
+    const unsigned int n_nodes = averaging_.nodes().size();
+    for (const auto &node : averaging_.nodes())
+      multiplicity_.push_back(
+        multiplicity ? multiplicity(contact.method == "mortar" ?
+                                      secondary.reference_position(node.label) :
+                                      points_[node.label].X) :
+                       1);
+    history_.traction.assign(n_nodes, std::array<double, m>{});
+    history_.multiplier.assign(n_nodes, 0.);
+    history_.closest.resize(points_.size());
+    starts_.resize(points_.size());
+    closest_.resize(points_.size());
+    nodes_.resize(n_nodes);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::set_friction(const bool on)
+  {
+    // Without friction nothing of the friction machinery is ever touched.
+    friction_on_ = on && friction_law_.coefficient > 0.;
+    history_.traction.assign(nodes_.size(), std::array<double, m>{});
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactAssembler<dim>::usable(const unsigned int q) const
+  {
+    return closest_[q].gap > -maximum_penetration_;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::start_step(const Vector<double> &accepted)
+  {
+    std::vector<Point<dim>> positions;
+    secondary_.update_positions(accepted, positions);
+    primary_positions_.resize(primaries_.size());
+    for (unsigned int s = 0; s < primaries_.size(); ++s)
+      primaries_[s].update_positions(accepted, primary_positions_[s]);
+    const ContactSearch<dim> search(primaries_, primary_positions_);
+
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      {
+        Point<dim>  x;
+        const auto &shape = points_[q].shape;
+        for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+          x += shape.value[l] * positions[shape.lattice[l]];
+
+        // Of the candidates on the near side the closest one wins; a point
+        // behind the body may look closer but belongs to the far side.
+        double best    = std::numeric_limits<double>::max();
+        starts_[q].known = false;
+        auto candidates  = search.nearest(x, 3);
+        if (history_.closest[q].known)
+          candidates.push_back(history_.closest[q]);
+        for (const auto &candidate : candidates)
+          {
+            const auto c = project(primaries_[candidate.surface],
+                                   primary_positions_[candidate.surface],
+                                   x,
+                                   candidate.u,
+                                   false);
+            if (!c.found)
+              continue;
+            const double distance =
+              c.r.norm() + (c.gap <= -maximum_penetration_ ? 1e6 : 0.);
+            // A later candidate must be better by more than round-off.
+            if (distance < best * (1 - 1e-9))
+              {
+                best               = distance;
+                starts_[q].known   = true;
+                starts_[q].surface = candidate.surface;
+                starts_[q].u       = c.u;
+              }
+          }
+        if (!starts_[q].known)
+          throw ProjectionLost("contact point " + std::to_string(q) +
+                               " finds no closest point on any surface");
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::find_closest(const Point<dim> & x,
+                                      const unsigned int q,
+                                      ClosestPoint<dim> &closest) const
+  {
+    const unsigned int s = starts_[q].surface;
+    closest              = project(
+      primaries_[s], primary_positions_[s], x, starts_[q].u, friction_on_);
+    if (!closest.found)
+      {
+        // The warm start failed: search anew among the positions of now.
+        const ContactSearch<dim> search(primaries_, primary_positions_);
+        for (const auto &candidate : search.nearest(x, 4))
+          {
+            closest = project(primaries_[candidate.surface],
+                              primary_positions_[candidate.surface],
+                              x,
+                              candidate.u,
+                              friction_on_);
+            if (closest.found)
+              {
+                closest.surface = candidate.surface;
+                return;
+              }
+          }
+        throw ProjectionLost("contact point " + std::to_string(q) +
+                             " finds no closest point on any surface");
+      }
+    closest.surface = s;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::evaluate(const Vector<double> &displacement)
+  {
+    std::vector<Point<dim>> positions;
+    secondary_.update_positions(displacement, positions);
+    primary_positions_.resize(primaries_.size());
+    for (unsigned int s = 0; s < primaries_.size(); ++s)
+      primaries_[s].update_positions(displacement, primary_positions_[s]);
+
+    // Where are the surfaces, and how far?
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      {
+        Point<dim>  x;
+        const auto &shape = points_[q].shape;
+        for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+          x += shape.value[l] * positions[shape.lattice[l]];
+        find_closest(x, q, closest_[q]);
+        starts_[q].surface = closest_[q].surface;
+        starts_[q].u       = closest_[q].u;
+      }
+
+    // What do the laws answer?
+    const NormalLaw normal_law{contact_.normal_penalty};
+    point_pressure_.assign(points_.size(), 0.);
+    point_traction_.assign(points_.size(), std::array<double, m>{});
+    point_loaded_.assign(points_.size(), false);
+    for (unsigned int I = 0; I < nodes_.size(); ++I)
+      {
+        const auto &node  = averaging_.nodes()[I];
+        NodeState & state = nodes_[I];
+        state             = NodeState();
+        for (const auto &entry : node.entries)
+          state.gap += entry.weight * (usable(entry.point) ?
+                                         closest_[entry.point].gap :
+                                         maximum_penetration_);
+        const auto answer = normal_law(state.gap, history_.multiplier[I]);
+        state.active      = answer.active;
+        state.pressure    = answer.pressure;
+        state.slope       = answer.slope;
+        state.energy      = answer.energy;
+        if (!state.active)
+          continue;
+
+        if (friction_on_)
+          {
+            std::array<double, SymmetricIndices<m>::n_second> metric = {};
+            for (const auto &entry : node.entries)
+              {
+                if (!usable(entry.point))
+                  continue;
+                const ClosestPoint<dim> &c = closest_[entry.point];
+                for (int a = 0; a < m; ++a)
+                  for (int b = a; b < m; ++b)
+                    metric[SymmetricIndices<m>::second(a, b)] +=
+                      entry.weight * (c.a[a] * c.a[b]);
+                const auto &reference = history_.closest[entry.point];
+                if (reference.known && reference.surface == c.surface)
+                  for (int a = 0; a < m; ++a)
+                    state.slip[a] += entry.weight * (c.u[a] - reference.u[a]);
+              }
+            state.friction = friction_law_(
+              history_.traction[I], state.slip, metric, -state.pressure);
+            state.slipping = state.friction.slipping;
+          }
+
+        const double W = multiplicity_[I] * node.area;
+        if (W > 0.)
+          for (const auto &entry : node.entries)
+            if (usable(entry.point))
+              {
+                point_loaded_[entry.point] = true;
+                point_pressure_[entry.point] +=
+                  W * entry.weight * state.pressure;
+                for (int a = 0; a < m; ++a)
+                  point_traction_[entry.point][a] +=
+                    W * entry.weight * state.friction.traction[a];
+              }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::point_functions(const unsigned int q,
+                                         PointFunctions &   functions) const
+  {
+    const auto &             s       = points_[q].shape;
+    const ClosestPoint<dim> &c       = closest_[q];
+    const auto &             primary = primaries_[c.surface];
+    const unsigned int       n_s = s.lattice.size(), n_m = c.shape.lattice.size();
+
+    functions.dofs.resize(n_s + n_m);
+    for (auto &values : functions.jet)
+      values.assign(n_s + n_m, 0.);
+    for (unsigned int l = 0; l < n_s; ++l)
+      {
+        functions.dofs[l]   = secondary_.first_dof(s.lattice[l]);
+        functions.jet[0][l] = s.value[l];
+      }
+    for (unsigned int l = 0; l < n_m; ++l)
+      {
+        functions.dofs[n_s + l]   = primary.first_dof(c.shape.lattice[l]);
+        functions.jet[0][n_s + l] = -c.shape.value[l];
+        unsigned int f            = 1;
+        for (const auto &first : c.shape.first)
+          functions.jet[f++][n_s + l] = first[l];
+        for (const auto &second : c.shape.second)
+          functions.jet[f++][n_s + l] = second[l];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::add_residual(Vector<double> &residual) const
+  {
+    constexpr unsigned int n_jets = ContactKinematics<dim>::n_jets;
+    PointFunctions         functions;
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      {
+        if (!point_loaded_[q])
+          continue;
+        const ContactKinematics<dim> kinematics(closest_[q]);
+        auto                         row = kinematics.gap_variation();
+        for (double &value : row)
+          value *= point_pressure_[q];
+        if (friction_on_)
+          for (int a = 0; a < m; ++a)
+            for (unsigned int k = 0; k < row.size(); ++k)
+              row[k] += point_traction_[q][a] *
+                        kinematics.parameter_variation(a)[k];
+
+        point_functions(q, functions);
+        for (unsigned int A = 0; A < functions.dofs.size(); ++A)
+          for (unsigned int f = 0; f < n_jets; ++f)
+            if (functions.jet[f][A] != 0.)
+              for (unsigned int i = 0; i < dim; ++i)
+                residual[functions.dofs[A] + i] +=
+                  functions.jet[f][A] * row[f * dim + i];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::add_tangent(const AddMatrix &add) const
+  {
+    using Kinematics              = ContactKinematics<dim>;
+    constexpr unsigned int n_jets = Kinematics::n_jets;
+    constexpr unsigned int n_rows = 1 + m + Kinematics::n_metric;
+    const unsigned int     n_used = friction_on_ ? n_rows : 1;
+    const bool             mortar = contact_.method == "mortar";
+
+    // Variations at the loaded points, carried to the control points. Row 0
+    // is the gap, then the parameters, then the metric.
+    struct PointRows
+    {
+      std::vector<unsigned int>                dofs;
+      std::array<std::vector<double>, n_rows>  rows;
+    };
+    std::vector<PointRows> point_rows(mortar ? points_.size() : 0);
+
+    // 1. Terms that belong to single points: pressure and traction times the
+    // second variations. Points that share both knot spans share a block.
+    std::map<std::tuple<unsigned int, unsigned int, unsigned int>,
+             std::vector<unsigned int>>
+      groups;
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      if (point_loaded_[q])
+        groups[{points_[q].shape.lattice[0],
+                closest_[q].surface,
+                closest_[q].shape.lattice[0]}]
+          .push_back(q);
+
+    PointFunctions                                  functions;
+    std::array<double, Kinematics::n * Kinematics::n> M;
+    std::vector<double>                             block, half;
+    std::vector<unsigned int>                       dofs;
+    for (const auto &group : groups)
+      {
+        block.clear();
+        for (const unsigned int q : group.second)
+          {
+            const Kinematics kinematics(closest_[q]);
+            point_functions(q, functions);
+            const unsigned int n_functions = functions.dofs.size();
+            const unsigned int n           = dim * n_functions;
+            if (block.empty())
+              {
+                block.assign(n * n, 0.);
+                dofs.resize(n);
+                for (unsigned int A = 0; A < n_functions; ++A)
+                  for (unsigned int i = 0; i < dim; ++i)
+                    dofs[A * dim + i] = functions.dofs[A] + i;
+              }
+
+            M.fill(0.);
+            kinematics.add_second_variation(point_pressure_[q],
+                                            point_traction_[q],
+                                            M);
+            const auto row_of = [&](const unsigned int r) -> const auto &
+            {
+              return r == 0 ? kinematics.gap_variation() :
+                     r <= m ? kinematics.parameter_variation(r - 1) :
+                              kinematics.metric_variation(r - 1 - m);
+            };
+            if (mortar)
+              {
+                PointRows &rows = point_rows[q];
+                rows.dofs       = functions.dofs;
+                for (unsigned int r = 0; r < n_used; ++r)
+                  {
+                    const auto &jets = row_of(r);
+                    rows.rows[r].assign(n, 0.);
+                    for (unsigned int f = 0; f < n_jets; ++f)
+                      for (unsigned int A = 0; A < n_functions; ++A)
+                        if (functions.jet[f][A] != 0.)
+                          for (unsigned int i = 0; i < dim; ++i)
+                            rows.rows[r][A * dim + i] +=
+                              functions.jet[f][A] * jets[f * dim + i];
+                  }
+              }
+            else
+              {
+                // A node that is a single point: everything stays on the jets.
+                const NodeState &state = nodes_[q];
+                const double W = multiplicity_[q] * averaging_.nodes()[q].area;
+                const auto & g = kinematics.gap_variation();
+                for (unsigned int k = 0; k < g.size(); ++k)
+                  for (unsigned int l = 0; l < g.size(); ++l)
+                    M[k * g.size() + l] += W * state.slope * g[k] * g[l];
+                if (friction_on_)
+                  for (int a = 0; a < m; ++a)
+                    {
+                      typename Kinematics::Row right;
+                      for (unsigned int k = 0; k < g.size(); ++k)
+                        {
+                          right[k] = -state.friction.by_pressure[a] *
+                                     state.slope * g[k];
+                          for (int b = 0; b < m; ++b)
+                            right[k] += state.friction.by_slip[a][b] *
+                                        row_of(1 + b)[k];
+                          for (unsigned int c = 0; c < Kinematics::n_metric;
+                               ++c)
+                            right[k] += state.friction.by_metric[a][c] *
+                                        row_of(1 + m + c)[k];
+                        }
+                      const auto &left = row_of(1 + a);
+                      for (unsigned int k = 0; k < g.size(); ++k)
+                        for (unsigned int l = 0; l < g.size(); ++l)
+                          M[k * g.size() + l] += W * left[k] * right[l];
+                    }
+              }
+
+            // block += N^T M N with N the jet values of the functions.
+            half.assign(Kinematics::n * n, 0.);
+            for (unsigned int k = 0; k < Kinematics::n; ++k)
+              for (unsigned int h = 0; h < n_jets; ++h)
+                for (unsigned int B = 0; B < n_functions; ++B)
+                  {
+                    const double N = functions.jet[h][B];
+                    if (N != 0.)
+                      for (unsigned int j = 0; j < dim; ++j)
+                        half[k * n + B * dim + j] +=
+                          M[k * Kinematics::n + h * dim + j] * N;
+                  }
+            for (unsigned int f = 0; f < n_jets; ++f)
+              for (unsigned int A = 0; A < n_functions; ++A)
+                {
+                  const double N = functions.jet[f][A];
+                  if (N != 0.)
+                    for (unsigned int i = 0; i < dim; ++i)
+                      {
+                        const double *source = &half[(f * dim + i) * n];
+                        double *      target = &block[(A * dim + i) * n];
+                        for (unsigned int l = 0; l < n; ++l)
+                          target[l] += N * source[l];
+                      }
+                }
+          }
+        add(dofs, block);
+      }
+    if (!mortar)
+      return;
+
+    // 2. Terms that couple all points of a node: products of the averaged
+    // first variations.
+    std::map<unsigned int, unsigned int>       slot;
+    std::array<std::vector<double>, n_rows>    average;
+    std::array<std::vector<double>, 1 + m>     right;
+    for (unsigned int I = 0; I < nodes_.size(); ++I)
+      {
+        const NodeState &state = nodes_[I];
+        const auto &     node  = averaging_.nodes()[I];
+        const double     W     = multiplicity_[I] * node.area;
+        if (!state.active || W == 0.)
+          continue;
+
+        slot.clear();
+        for (const auto &entry : node.entries)
+          if (usable(entry.point))
+            for (const unsigned int dof : point_rows[entry.point].dofs)
+              slot.emplace(dof, slot.size());
+        const unsigned int n = dim * slot.size();
+        dofs.resize(n);
+        for (const auto &s : slot)
+          for (unsigned int i = 0; i < dim; ++i)
+            dofs[dim * s.second + i] = s.first + i;
+
+        for (unsigned int r = 0; r < n_used; ++r)
+          average[r].assign(n, 0.);
+        for (const auto &entry : node.entries)
+          if (usable(entry.point))
+            {
+              const PointRows &rows = point_rows[entry.point];
+              for (unsigned int A = 0; A < rows.dofs.size(); ++A)
+                {
+                  const unsigned int at = dim * slot[rows.dofs[A]];
+                  for (unsigned int r = 0; r < n_used; ++r)
+                    for (unsigned int i = 0; i < dim; ++i)
+                      average[r][at + i] +=
+                        entry.weight * rows.rows[r][A * dim + i];
+                }
+            }
+
+        right[0] = average[0];
+        for (double &value : right[0])
+          value *= W * state.slope;
+        if (friction_on_)
+          for (int a = 0; a < m; ++a)
+            {
+              right[1 + a].assign(n, 0.);
+              for (unsigned int k = 0; k < n; ++k)
+                {
+                  double value = -state.friction.by_pressure[a] * state.slope *
+                                 average[0][k];
+                  for (int b = 0; b < m; ++b)
+                    value += state.friction.by_slip[a][b] * average[1 + b][k];
+                  for (unsigned int c = 0; c < Kinematics::n_metric; ++c)
+                    value +=
+                      state.friction.by_metric[a][c] * average[1 + m + c][k];
+                  right[1 + a][k] = W * value;
+                }
+            }
+
+        block.resize(n * n);
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            double *     target = &block[k * n];
+            const double left   = average[0][k];
+            for (unsigned int l = 0; l < n; ++l)
+              target[l] = left * right[0][l];
+            if (friction_on_)
+              for (int a = 0; a < m; ++a)
+                {
+                  const double left_a = average[1 + a][k];
+                  for (unsigned int l = 0; l < n; ++l)
+                    target[l] += left_a * right[1 + a][l];
+                }
+          }
+        add(dofs, block);
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<std::vector<unsigned int>>
+  ContactAssembler<dim>::coupled_unknowns(const double margin) const
+  {
+    std::vector<std::vector<unsigned int>> groups;
+    std::vector<unsigned int>              first;
+    for (unsigned int I = 0; I < nodes_.size(); ++I)
+      {
+        if (multiplicity_[I] == 0 ||
+            (!nodes_[I].active && nodes_[I].gap > margin))
+          continue;
+        first.clear();
+        for (const auto &entry : averaging_.nodes()[I].entries)
+          if (usable(entry.point))
+            {
+              for (const unsigned int l : points_[entry.point].shape.lattice)
+                first.push_back(secondary_.first_dof(l));
+              const auto &c = closest_[entry.point];
+              for (const unsigned int l : c.shape.lattice)
+                first.push_back(primaries_[c.surface].first_dof(l));
+            }
+        std::sort(first.begin(), first.end());
+        first.erase(std::unique(first.begin(), first.end()), first.end());
+        std::vector<unsigned int> group;
+        for (const unsigned int dof : first)
+          for (unsigned int i = 0; i < dim; ++i)
+            group.push_back(dof + i);
+        groups.push_back(group);
+      }
+    return groups;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::commit()
+  {
+    for (unsigned int I = 0; I < nodes_.size(); ++I)
+      history_.traction[I] = nodes_[I].friction.traction;
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      {
+        history_.closest[q].known   = usable(q);
+        history_.closest[q].surface = closest_[q].surface;
+        history_.closest[q].u       = closest_[q].u;
+      }
+  }
+
+
+
+  template <int dim>
+  typename ContactAssembler<dim>::Summary
+  ContactAssembler<dim>::summary() const
+  {
+    Summary result;
+    for (unsigned int I = 0; I < nodes_.size(); ++I)
+      {
+        const NodeState &  state = nodes_[I];
+        const unsigned int k     = multiplicity_[I];
+        const double       W     = k * averaging_.nodes()[I].area;
+        result.energy += W * state.energy;
+        if (!state.active)
+          continue;
+        result.n_active += k;
+        result.largest_penetration =
+          std::max(result.largest_penetration, -state.gap);
+        if (friction_on_)
+          {
+            (state.slipping ? result.n_slip : result.n_stick) += k;
+            result.friction_energy += W * state.friction.energy;
+            result.dissipation += W * state.friction.dissipation;
+          }
+      }
+    return result;
+  }
+
+  template class ContactAssembler<2>;
+  template class ContactAssembler<3>;
+} // namespace NPT

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Variations of gap and closest point on the jets of a contact point.
+
+#include <npt_dealii/contact/contact_kinematics.h>
+
+namespace NPT
+{
+  using dealii::Tensor;
+
+  namespace
+  {
+    // Offsets of the jets J_0, J_a, J_ab among the n numbers.
+    template <int dim>
+    constexpr unsigned int
+    jet(const unsigned int a)
+    {
+      return dim * (1 + a);
+    }
+    template <int dim>
+    constexpr unsigned int
+    jet(const unsigned int a, const unsigned int b)
+    {
+      return dim * (1 + (dim - 1) + SymmetricIndices<dim - 1>::second(a, b));
+    }
+
+    template <int dim, typename Row>
+    void
+    add_dot(Row &                 row,
+            const unsigned int    offset,
+            const Tensor<1, dim> &v,
+            const double          factor)
+    {
+      for (unsigned int i = 0; i < dim; ++i)
+        row[offset + i] += factor * v[i];
+    }
+
+    // M += factor (u v^T + v u^T).
+    template <typename Row, typename Matrix>
+    void
+    add_symmetric(Matrix &M, const Row &u, const Row &v, const double factor)
+    {
+      const unsigned int n = u.size();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double fu = factor * u[i], fv = factor * v[i];
+          if (fu == 0. && fv == 0.)
+            continue;
+          for (unsigned int j = 0; j < n; ++j)
+            M[i * n + j] += fu * v[j] + fv * u[j];
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ContactKinematics<dim>::ContactKinematics(const ClosestPoint<dim> &c)
+    : c_(c)
+  {
+    using Indices = SymmetricIndices<m>;
+
+    // H on the free directions, inverted there; zero elsewhere.
+    SurfaceMatrix<m> H;
+    for (int a = 0; a < m; ++a)
+      for (int b = 0; b < m; ++b)
+        H[a][b] = c.a[a] * c.a[b] - c.r * c.x_second[Indices::second(a, b)];
+    H_inverse_ = invert_symmetric<m>(H, c.free);
+
+    gap_.fill(0.);
+    add_dot(gap_, 0, c.normal, 1.);
+
+    for (int b = 0; b < m; ++b)
+      {
+        parameter_[b].fill(0.);
+        for (int a = 0; a < m; ++a)
+          if (H_inverse_[b][a] != 0.)
+            {
+              add_dot(parameter_[b], 0, c.a[a], H_inverse_[b][a]);
+              add_dot(parameter_[b], jet<dim>(a), c.r, H_inverse_[b][a]);
+            }
+      }
+
+    for (int a = 0; a < m; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          Row &row = tangent_[a][i];
+          row.fill(0.);
+          row[jet<dim>(a) + i] = 1.;
+          for (int b = 0; b < m; ++b)
+            {
+              const double x_ab = c.x_second[Indices::second(a, b)][i];
+              for (unsigned int k = 0; k < n; ++k)
+                row[k] += x_ab * parameter_[b][k];
+            }
+        }
+
+    for (unsigned int i = 0; i < dim; ++i)
+      {
+        distance_[i].fill(0.);
+        distance_[i][i] = 1.;
+        for (int b = 0; b < m; ++b)
+          for (unsigned int k = 0; k < n; ++k)
+            distance_[i][k] -= c.a[b][i] * parameter_[b][k];
+      }
+
+    for (int a = 0; a < m; ++a)
+      for (int b = a; b < m; ++b)
+        {
+          Row &row = metric_[Indices::second(a, b)];
+          row.fill(0.);
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int k = 0; k < n; ++k)
+              row[k] += c.a[a][i] * tangent_[b][i][k] +
+                        c.a[b][i] * tangent_[a][i][k];
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactKinematics<dim>::add_second_variation(
+    const double                 pressure,
+    const std::array<double, m> &traction,
+    std::array<double, n * n> &  M) const
+  {
+    using Indices = SymmetricIndices<m>;
+
+    // tau^a = H^{ab} t_b turns H_ab D(delta xi^b) = S_a into the wanted term.
+    double tau[m];
+    bool   any_traction = false;
+    for (int a = 0; a < m; ++a)
+      {
+        tau[a] = 0;
+        for (int b = 0; b < m; ++b)
+          tau[a] += H_inverse_[a][b] * traction[b];
+        any_traction = any_traction || tau[a] != 0.;
+      }
+
+    // Both D(delta g) and S_a contain, with v = n and v = a_a,
+    //   - v . [ J_c Dxi^c + DJ_c dxi^c + x_,bc dxi^b Dxi^c ],
+    // so the vectors are added up first.
+    Tensor<1, dim> v = pressure * c_.normal;
+    for (int a = 0; a < m; ++a)
+      v += tau[a] * c_.a[a];
+    for (int b = 0; b < m; ++b)
+      {
+        if (!c_.free[b])
+          continue;
+        Row row{};
+        add_dot(row, jet<dim>(b), v, -1.);
+        for (int a = 0; a < m; ++a)
+          if (tau[a] != 0.)
+            add_dot(row, jet<dim>(a, b), c_.r, tau[a]);
+        // Half of the quadratic term in (dxi^b, Dxi^c), because
+        // add_symmetric() counts it twice.
+        for (int c = 0; c < m; ++c)
+          {
+            double factor = -(v * c_.x_second[Indices::second(b, c)]);
+            if (any_traction)
+              for (int a = 0; a < m; ++a)
+                factor += tau[a] * (c_.r * c_.x_third[Indices::third(a, b, c)]);
+            for (unsigned int k = 0; k < n; ++k)
+              row[k] += 0.5 * factor * parameter_[c][k];
+          }
+        add_symmetric(M, row, parameter_[b], 1.);
+      }
+
+    // S_a: delta r . D-hat a_a + D r . delta-hat a_a.
+    for (int a = 0; a < m; ++a)
+      if (tau[a] != 0.)
+        for (unsigned int i = 0; i < dim; ++i)
+          add_symmetric(M, distance_[i], tangent_[a][i], tau[a]);
+
+    // D(delta g): turning of the normal, D n . delta r. In the free
+    // directions a_b . delta r = - g n . delta-hat a_b, so that no division by
+    // a small gap appears; in the held ones (edge, corner) the gap is |r|.
+    if (pressure != 0.)
+      {
+        std::array<Row, m> w; // n . delta-hat a_a
+        for (int a = 0; a < m; ++a)
+          {
+            w[a].fill(0.);
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int k = 0; k < n; ++k)
+                w[a][k] += c_.normal[i] * tangent_[a][i][k];
+          }
+        // Metric of the free directions only.
+        SurfaceMatrix<m> metric;
+        for (int a = 0; a < m; ++a)
+          for (int b = 0; b < m; ++b)
+            metric[a][b] = c_.a[a] * c_.a[b];
+        const auto inverse  = invert_symmetric<m>(metric, c_.free);
+        bool       all_free = true;
+        for (int a = 0; a < m; ++a)
+          all_free = all_free && c_.free[a];
+        for (int a = 0; a < m; ++a)
+          for (int b = 0; b < m; ++b)
+            if (inverse[a][b] != 0.)
+              add_symmetric(
+                M, w[a], w[b], 0.5 * pressure * c_.gap * inverse[a][b]);
+
+        if (!all_free && std::abs(c_.gap) > 1e-12)
+          {
+            // Unit vectors orthogonal to n and to the free tangents.
+            std::vector<Tensor<1, dim>> basis = {c_.normal};
+            for (int a = 0; a < m; ++a)
+              if (c_.free[a])
+                basis.push_back(c_.a[a] / c_.a[a].norm());
+            const unsigned int n_known = basis.size();
+            for (unsigned int i = 0; i < dim && basis.size() < dim; ++i)
+              {
+                Tensor<1, dim> e;
+                e[i] = 1.;
+                for (const auto &known : basis)
+                  e -= (e * known) * known;
+                if (e.norm() > 0.4)
+                  basis.push_back(e / e.norm());
+              }
+            for (unsigned int k = n_known; k < basis.size(); ++k)
+              {
+                Row row{};
+                for (unsigned int i = 0; i < dim; ++i)
+                  for (unsigned int j = 0; j < n; ++j)
+                    row[j] += basis[k][i] * distance_[i][j];
+                add_symmetric(M, row, row, 0.5 * pressure / c_.gap);
+              }
+          }
+      }
+  }
+
+  template class ContactKinematics<2>;
+  template class ContactKinematics<3>;
+} // namespace NPT

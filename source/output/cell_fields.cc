@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Fields of bundles and contact surfaces for VTU files.
+
+#include <npt_dealii/output/cell_fields.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <cmath>
+
+namespace NPT
+{
+  using dealii::Tensor;
+  using dealii::Vector;
+
+  namespace
+  {
+    // Columns of the control point table from which Bezier fields are made.
+    struct Column
+    {
+      std::string  name;
+      unsigned int n_components;
+    };
+
+    // Carry coefficients of control points to the Bezier points of a cell and
+    // append them to the mesh. The first three numbers are the position.
+    void
+    append_points(const std::vector<std::vector<double>> &bezier,
+                  const std::vector<double> &             weights,
+                  const std::vector<Column> &             columns,
+                  const std::vector<unsigned int> &       which,
+                  BezierMesh &                            mesh)
+    {
+      for (const unsigned int b : which)
+        {
+          for (unsigned int i = 0; i < 3; ++i)
+            mesh.points.push_back(bezier[b][i]);
+          mesh.weights.push_back(weights[b]);
+          unsigned int at = 3;
+          for (unsigned int f = 0; f < columns.size(); ++f)
+            for (unsigned int k = 0; k < columns[f].n_components; ++k)
+              mesh.point_data[f].values.push_back(bezier[b][at++]);
+        }
+    }
+  } // namespace
+
+
+
+  BezierMesh
+  make_bundle_fields(
+    const IGASpace<3> &                                     space,
+    const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
+    const std::vector<CellGradients> &                      gradients,
+    const Vector<double> &                                  u)
+  {
+    // Stresses at control points: means weighted with their functions.
+    constexpr unsigned int           n_stress = 8; // sigma (6), Mises, J
+    std::vector<std::vector<double>> stress(
+      space.n_control_points(), std::vector<double>(n_stress, 0.));
+    std::vector<double> weight(space.n_control_points(), 0.);
+    std::vector<double> w;
+    for (unsigned int c = 0; c < space.cells().size(); ++c)
+      {
+        const CellGradients &cell = gradients[c];
+        const auto           A    = space.control_points_of_cell(c);
+        w.resize(3 * A.size());
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int a = 0; a < A.size(); ++a)
+            w[i * A.size() + a] = u[3 * A[a] + i];
+        for (unsigned int q = 0; q < cell.n_points; ++q)
+          {
+            Tensor<2, 3> F, P;
+            double       raw[9];
+            SolidKernel::deformation_gradient(cell, w, q, raw);
+            for (unsigned int k = 0; k < 9; ++k)
+              F[k / 3][k % 3] = raw[k];
+            laws[space.cells()[c].patch]->stress(F, P);
+            const double       J     = determinant(F);
+            const Tensor<2, 3> sigma = P * transpose(F) / J;
+            const Tensor<2, 3> deviator =
+              sigma - trace(sigma) / 3. * dealii::unit_symmetric_tensor<3>();
+            const double value[n_stress] = {sigma[0][0],
+                                            sigma[1][1],
+                                            sigma[2][2],
+                                            sigma[0][1],
+                                            sigma[1][2],
+                                            sigma[0][2],
+                                            std::sqrt(1.5) * deviator.norm(),
+                                            J};
+            for (unsigned int a = 0; a < A.size(); ++a)
+              {
+                const double share =
+                  cell.values[q * cell.n_functions + a] * cell.jxw[q];
+                weight[A[a]] += share;
+                for (unsigned int k = 0; k < n_stress; ++k)
+                  stress[A[a]][k] += share * value[k];
+              }
+          }
+      }
+    for (unsigned int A = 0; A < stress.size(); ++A)
+      for (double &value : stress[A])
+        value /= weight[A];
+
+    const std::vector<Column> columns = {{"displacement", 3},
+                                         {"Cauchy_stress", 6},
+                                         {"von_Mises_stress", 1},
+                                         {"volume_ratio", 1}};
+    BezierMesh                mesh;
+    mesh.dim = 3;
+    for (const Column &column : columns)
+      mesh.point_data.push_back({column.name, column.n_components, {}});
+    mesh.cell_data.push_back({"bundle", 1, {}});
+    for (unsigned int c = 0; c < space.cells().size(); ++c)
+      {
+        const unsigned int               patch = space.cells()[c].patch;
+        const unsigned int               p     = space.degree(patch);
+        const auto                       A = space.control_points_of_cell(c);
+        std::vector<std::vector<double>> coefficients;
+        std::vector<unsigned int>        all;
+        for (unsigned int a = 0; a < A.size(); ++a)
+          {
+            all.push_back(a);
+            std::vector<double> row;
+            for (unsigned int i = 0; i < 3; ++i)
+              row.push_back(space.control_points()[A[a]][i] + u[3 * A[a] + i]);
+            for (unsigned int i = 0; i < 3; ++i)
+              row.push_back(u[3 * A[a] + i]);
+            row.insert(row.end(), stress[A[a]].begin(), stress[A[a]].end());
+            coefficients.push_back(row);
+          }
+        std::vector<double> weights;
+        const auto          bezier =
+          space.bezier_coefficients(c, coefficients, weights);
+        append_points(bezier, weights, columns, all, mesh);
+        mesh.degrees.push_back({{p, p, p}});
+        mesh.cell_data[0].values.push_back(space.body(patch));
+      }
+    return mesh;
+  }
+
+
+
+  BezierMesh
+  make_contact_fields(const IGASpace<3> &        space,
+                      const unsigned int         patch,
+                      const unsigned int         side,
+                      const ContactAssembler<3> &contact,
+                      const Vector<double> &     u)
+  {
+    // Values at the contact nodes, then at the control points of the surface:
+    // the same ones for mortar, weighted means of the Gauss points for KTS.
+    constexpr unsigned int           n_values = 7;
+    const auto &                     nodes    = contact.nodes();
+    const auto &                     points   = contact.closest_points();
+    std::vector<std::vector<double>> at_node(
+      nodes.size(), std::vector<double>(n_values, 0.));
+    for (unsigned int I = 0; I < nodes.size(); ++I)
+      {
+        auto &value = at_node[I];
+        value[0]    = nodes[I].gap;
+        value[1]    = -nodes[I].pressure;
+        if (!nodes[I].active)
+          continue;
+        value[6] = nodes[I].slipping ? 2. : 1.;
+        // t = t_a a^a and slip = xi^a a_a with the averaged tangents.
+        Tensor<1, 3> a[2];
+        for (const auto &entry : contact.averaging().nodes()[I].entries)
+          for (unsigned int k = 0; k < 2; ++k)
+            a[k] += entry.weight * points[entry.point].a[k];
+        const double a11 = a[0] * a[0], a12 = a[0] * a[1], a22 = a[1] * a[1];
+        const double det = a11 * a22 - a12 * a12;
+        const auto & t   = nodes[I].friction.traction;
+        const Tensor<1, 3> traction =
+          ((a22 * t[0] - a12 * t[1]) * a[0] + (a11 * t[1] - a12 * t[0]) * a[1]) /
+          det;
+        for (unsigned int i = 0; i < 3; ++i)
+          value[2 + i] = traction[i];
+        value[5] =
+          (nodes[I].slip[0] * a[0] + nodes[I].slip[1] * a[1]).norm();
+      }
+
+    const auto &surface = contact.secondary().surface();
+    std::vector<std::vector<double>> at_control_point(
+      surface.n_control_points(), std::vector<double>(n_values, 0.));
+    if (contact.averaging().nodes().size() == surface.n_control_points())
+      at_control_point = at_node;
+    else
+      {
+        const auto mortar =
+          Averaging::mortar<3>(surface, contact.quadrature_points());
+        for (unsigned int l = 0; l < at_control_point.size(); ++l)
+          for (const auto &entry : mortar.nodes()[l].entries)
+            for (unsigned int k = 0; k < n_values; ++k)
+              at_control_point[l][k] += entry.weight * at_node[entry.point][k];
+      }
+    std::vector<int> lattice_of(space.n_control_points(), -1);
+    for (unsigned int l = 0; l < surface.n_control_points(); ++l)
+      lattice_of[surface.control_point(l)] = l;
+
+    const std::vector<Column> columns = {{"gap", 1},
+                                         {"contact_pressure", 1},
+                                         {"friction_traction", 3},
+                                         {"slip_increment", 1},
+                                         {"contact_state", 1}};
+    BezierMesh                mesh;
+    mesh.dim = 2;
+    for (const Column &column : columns)
+      mesh.point_data.push_back({column.name, column.n_components, {}});
+    const unsigned int n_through = space.patch(patch).knot_vector(2).n_spans();
+    for (unsigned int c = 0; c < space.cells().size(); ++c)
+      {
+        const auto &cell = space.cells()[c];
+        if (cell.patch != patch ||
+            cell.span[2] != (side == 0 ? 0 : n_through - 1))
+          continue;
+        const unsigned int               p = space.degree(patch);
+        const auto                       A = space.control_points_of_cell(c);
+        std::vector<std::vector<double>> coefficients;
+        for (unsigned int a = 0; a < A.size(); ++a)
+          {
+            std::vector<double> row;
+            for (unsigned int i = 0; i < 3; ++i)
+              row.push_back(space.control_points()[A[a]][i] + u[3 * A[a] + i]);
+            // Knots are open, so the face depends on its own control points
+            // only; the values of the others do not matter.
+            const int l = lattice_of[A[a]];
+            for (unsigned int k = 0; k < n_values; ++k)
+              row.push_back(l < 0 ? 0. : at_control_point[l][k]);
+            coefficients.push_back(row);
+          }
+        std::vector<double> weights;
+        const auto          bezier =
+          space.bezier_coefficients(c, coefficients, weights);
+        std::vector<unsigned int> face;
+        const unsigned int        n_face = (p + 1) * (p + 1);
+        for (unsigned int b = 0; b < n_face; ++b)
+          face.push_back(b + (side == 0 ? 0 : p * n_face));
+        append_points(bezier, weights, columns, face, mesh);
+        mesh.degrees.push_back({{p, p, 1}});
+      }
+    return mesh;
+  }
+} // namespace NPT

@@ -1,0 +1,771 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Numerical plate testing of a woven fabric: the method on one page in run(),
+// its steps below in the order in which they are used.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/iga/iga_values.h>
+#include <npt_dealii/output/cell_fields.h>
+#include <npt_dealii/output/plots.h>
+#include <npt_dealii/solver/step_control.h>
+#include <npt_dealii/top/numerical_plate_test.h>
+
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <sstream>
+
+namespace NPT
+{
+  using dealii::Tensor;
+  using dealii::TimerOutput;
+  using dealii::Vector;
+
+  namespace
+  {
+    double
+    process_cpu_seconds()
+    {
+      return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    }
+  } // namespace
+
+
+
+  NumericalPlateTest::NumericalPlateTest(const Parameters & parameters,
+                                         const std::string &directory,
+                                         std::ostream &     screen)
+    : parameters_(parameters)
+    , directory_(directory)
+    , log_(directory.empty() ? "" : directory + "/log.txt",
+           screen,
+           directory.empty() ? false : standard_output_is_terminal(),
+           directory.empty())
+    , timer_(screen, TimerOutput::never, TimerOutput::cpu_and_wall_times)
+    , cpu_start_(process_cpu_seconds())
+    , macro_(0)
+  {}
+
+
+
+  void
+  NumericalPlateTest::run()
+  {
+    make_unit_cell(); // weave pattern -> fiber bundles -> NURBS patches
+    setup_system();   // knot spans, extraction, contact pairs, gradients
+
+    // Weave, release, load: every stage drives the macro unknowns to its
+    // targets in load steps of adaptive length.
+    for (const LoadStage &stage : parameters_.load_programme.stages)
+      {
+        run_stage(stage);
+        if (parameters_.output.fields != "none")
+          output_fields(stage.name);
+        stages_done_ += 1;
+      }
+    finish_output();
+  }
+
+
+
+  void
+  NumericalPlateTest::run_stage(const LoadStage &stage)
+  {
+    begin_stage(stage); // couplings, prescribed unknowns, friction on or off
+    StepControl control(stage.steps, stage.name);
+    while (!control.finished())
+      {
+        const double trial = control.trial();
+        if (!solve_load_step(stage, trial)) // Newton: bundles + contact
+          {
+            ++cuts_;
+            control.reject(failure_reason_); // throws if the step is too small
+            log_.cut(stage.name, trial, failure_reason_, control.step());
+            continue;
+          }
+        commit_history(stage, trial); // slip becomes "old" only here
+        control.accept(report_.iterations);
+        log_.progress((stages_done_ + control.load_factor()) /
+                        parameters_.load_programme.stages.size(),
+                      cpu_seconds());
+        if (parameters_.output.fields == "steps" && !control.finished())
+          output_fields(stage.name);
+      }
+  }
+
+
+
+  // ---------------------------------------------------------------- set-up
+
+  void
+  NumericalPlateTest::make_unit_cell()
+  {
+    TimerOutput::Scope timer(timer_, "Set up");
+    cell_ = std::make_unique<FabricCell>(parameters_.cell, parameters_.mesh);
+
+    std::vector<NURBSPatch<3>> patches;
+    for (const FiberBundle &bundle : cell_->bundles())
+      {
+        patches.push_back(bundle.patch);
+        laws_.push_back(
+          make_material<3>(parameters_.material, bundle.direction));
+      }
+    space_ =
+      std::make_unique<IGASpace<3>>(patches,
+                                    std::vector<unsigned int>(),
+                                    parameters_.mesh.basis);
+    macro_ = MacroUnknowns(space_->n_control_points());
+  }
+
+
+
+  void
+  NumericalPlateTest::setup_system()
+  {
+    TimerOutput::Scope timer(timer_, "Set up");
+
+    // Total Lagrangian: gradients in the reference configuration are computed
+    // once for all.
+    IGAValues<3> values(*space_);
+    for (unsigned int c = 0; c < space_->cells().size(); ++c)
+      {
+        values.reinit(c);
+        CellGradients cell;
+        cell.n_functions = values.dofs_per_cell();
+        cell.n_points    = values.n_quadrature_points();
+        for (unsigned int q = 0; q < cell.n_points; ++q)
+          {
+            cell.jxw.push_back(values.JxW(q));
+            for (unsigned int A = 0; A < cell.n_functions; ++A)
+              cell.values.push_back(values.shape_value(A, q));
+            for (unsigned int J = 0; J < 3; ++J)
+              for (unsigned int A = 0; A < cell.n_functions; ++A)
+                cell.gradients.push_back(values.shape_grad(A, q)[J]);
+          }
+
+        std::vector<unsigned int> unknowns;
+        for (unsigned int i = 0; i < 3; ++i)
+          for (const unsigned int A : values.control_points())
+            unknowns.push_back(3 * A + i);
+        cell_unknowns_.push_back(unknowns);
+
+        // A cell and its image under the 2-fold axis do the same work: one of
+        // them is integrated, twice.
+        dealii::Point<3> center;
+        double           volume = 0;
+        for (unsigned int q = 0; q < cell.n_points; ++q)
+          {
+            center += values.quadrature_point(q) * values.JxW(q);
+            volume += values.JxW(q);
+          }
+        multiplicity_.push_back(
+          cell_->multiplicity(dealii::Point<3>(center / volume)));
+        gradients_.push_back(std::move(cell));
+      }
+
+    // Surfaces that may touch.
+    const auto face = [&](const unsigned int bundle, const unsigned int side) {
+      surfaces_.push_back(
+        std::make_unique<IGASurface<3>>(*space_, bundle, 2, side));
+      return ContactSurface<3>(*surfaces_.back());
+    };
+    for (const ContactCandidates &pair : cell_->contacts())
+      {
+        const auto secondary = face(pair.secondary_bundle, pair.secondary_side);
+        std::vector<ContactSurface<3>> primaries;
+        for (const auto &primary : pair.primaries)
+          primaries.push_back(face(primary.first, primary.second));
+        contacts_.push_back(std::make_unique<ContactAssembler<3>>(
+          secondary,
+          primaries,
+          parameters_.contact,
+          parameters_.friction,
+          parameters_.contact.maximum_penetration *
+            parameters_.cell.bundle_thickness,
+          [&](const dealii::Point<3> &X) { return cell_->multiplicity(X); }));
+      }
+    linear_solver_ =
+      std::make_unique<LinearSolver>(parameters_.linear_solver);
+
+    // Start: straight bundles, one thickness apart, just touching.
+    u_ = straight_bundles(*cell_,
+                          *space_,
+                          macro_,
+                          parameters_.cell.bundle_thickness);
+
+    if (!directory_.empty())
+      {
+        std::ofstream(directory_ + "/used_parameters.prm")
+          << parameters_.used_file;
+        curve_writer_ =
+          std::make_unique<CurveWriter>(directory_ + "/curves.csv");
+      }
+    unsigned int n_nodes = 0;
+    for (const auto &contact : contacts_)
+      n_nodes += contact->nodes().size();
+    log_.header("npt_dealii",
+                {{"cell", parameters_.cell.type},
+                 {"bundles", std::to_string(cell_->bundles().size())},
+                 {"cells", std::to_string(space_->cells().size())},
+                 {"degree", std::to_string(parameters_.mesh.degree)},
+                 {"unknowns", std::to_string(macro_.n_unknowns())},
+                 {"contact nodes",
+                  std::to_string(n_nodes) + " (" + parameters_.contact.method +
+                    ")"}});
+  }
+
+
+
+  // ---------------------------------------------------------------- stages
+
+  void
+  NumericalPlateTest::begin_stage(const LoadStage &stage)
+  {
+    TimerOutput::Scope timer(timer_, "Set up");
+    const bool         weaving = stage.type == LoadStage::Type::weave;
+
+    CouplingOptions options;
+    options.hold_end_middles = weaving;
+    const auto constraints =
+      make_couplings(*cell_, *space_, macro_, options, height_);
+    system_.reinit(constraints, macro_.n_unknowns());
+    for (unsigned int c = 0; c < cell_unknowns_.size(); ++c)
+      if (multiplicity_[c] > 0)
+        system_.add_group(cell_unknowns_[c]);
+    contact_couplings_.clear();
+    pattern_is_current_ = false;
+
+    // Where the macro unknowns come from and go to.
+    for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
+      stage_start_[k] = stage_target_[k] = u_[macro_.first + k];
+    if (weaving)
+      stage_target_[MacroUnknowns::n_modes] =
+        parameters_.cell.bundle_thickness *
+        (1. - parameters_.cell.weaving_depth);
+    for (const auto &target : stage.H_targets)
+      {
+        stage_target_[target.first]         = target.second;
+        resultant_controlled_[target.first] = false;
+      }
+    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+      force_start_[n] = force_target_[n] =
+        resultant_controlled_[n] ? applied_[n] : conjugate_[n];
+    for (const auto &target : stage.n_targets)
+      {
+        force_target_[target.first]         = target.second;
+        resultant_controlled_[target.first] = true;
+      }
+
+    std::vector<bool> prescribed(system_.n_independent(), false);
+    for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
+      {
+        const int index = system_.independent_index(macro_.first + k);
+        AssertThrow(index >= 0, dealii::ExcInternalError());
+        prescribed[index] =
+          k == MacroUnknowns::n_modes || !resultant_controlled_[k];
+      }
+    system_.set_prescribed(prescribed);
+
+    // The accepted state must obey the couplings of the new stage: dropping a
+    // condition never moves it, and its tiny round-off is removed here.
+    Vector<double> m, expanded;
+    system_.restrict_to_independent(u_, m);
+    system_.expand(m, expanded);
+    expanded -= u_;
+    AssertThrow(expanded.linfty_norm() <
+                  1e-8 * parameters_.cell.bundle_thickness,
+                dealii::ExcMessage("The state at the start of stage " +
+                                   stage.name +
+                                   " violates the couplings of the stage."));
+    u_ += expanded;
+
+    for (const auto &contact : contacts_)
+      contact->set_friction(stage.friction);
+    has_previous_ = false;
+    load_factor_  = 0;
+    std::vector<unsigned int> shown;
+    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+      if (stage.H_targets.count(n) + stage.n_targets.count(n) > 0)
+        shown.push_back(n);
+    log_.show_components(shown);
+
+    if (stage.friction)
+      {
+        // Slip starts from here: the present closest points are the reference
+        // (zero traction, zero slip).
+        for (const auto &contact : contacts_)
+          {
+            contact->start_step(u_);
+            contact->evaluate(u_);
+            auto history = contact->history();
+            contact->commit();
+            const auto closest = contact->history().closest;
+            history.closest    = closest;
+            contact->set_history(history);
+          }
+      }
+  }
+
+
+
+  bool
+  NumericalPlateTest::solve_load_step(const LoadStage &stage,
+                                      const double     load_factor)
+  {
+    (void)stage;
+    // Targets of this step.
+    Vector<double> m_accepted, m_target;
+    system_.restrict_to_independent(u_, m_accepted);
+    m_target = m_accepted;
+    for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
+      if (k == MacroUnknowns::n_modes || !resultant_controlled_[k])
+        m_target[system_.independent_index(macro_.first + k)] =
+          stage_start_[k] + load_factor * (stage_target_[k] - stage_start_[k]);
+    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+      applied_[n] =
+        force_start_[n] + load_factor * (force_target_[n] - force_start_[n]);
+
+    // Newton's unknowns are the free ones; the rest of m is on its target.
+    Vector<double> m = m_target, residual_m;
+    const auto     set_free = [&](const Vector<double> &x) {
+      for (unsigned int k = 0; k < system_.n_free(); ++k)
+        m[system_.free_unknown(k)] = x[k];
+    };
+    const auto residual = [&](const Vector<double> &x, Vector<double> &r) {
+      set_free(x);
+      system_.expand(m, u_trial_);
+      assemble_residual(u_trial_, residual_);
+      system_.condense(residual_, residual_m);
+      r.reinit(system_.n_free());
+      for (unsigned int k = 0; k < system_.n_free(); ++k)
+        r[k] = residual_m[system_.free_unknown(k)];
+    };
+    const auto prepare_tangent = [&](const Vector<double> &) {
+      assemble_tangent(u_trial_);
+      TimerOutput::Scope timer(timer_, "Factorize");
+      linear_solver_->factorize(system_.free_matrix());
+    };
+    const auto solve = [&](const Vector<double> &rhs, Vector<double> &dx) {
+      TimerOutput::Scope timer(timer_, "Solve");
+      linear_solver_->solve(rhs, dx);
+    };
+
+    // Predictor 1: linear extrapolation of the last two accepted states.
+    const auto extrapolate = [&](Vector<double> &x) {
+      Vector<double> m_previous;
+      system_.restrict_to_independent(u_previous_, m_previous);
+      const double ratio = (load_factor - load_factor_) /
+                           (load_factor_ - load_factor_previous_);
+      for (unsigned int k = 0; k < system_.n_free(); ++k)
+        {
+          const unsigned int i = system_.free_unknown(k);
+          x[k] = m_accepted[i] + ratio * (m_accepted[i] - m_previous[i]);
+        }
+    };
+    // Predictor 2: tangent at the accepted state, loaded by the increments of
+    // the prescribed unknowns.
+    const auto follow_tangent = [&](Vector<double> &x) {
+      Vector<double> x_accepted(system_.n_free()), r;
+      m = m_accepted;
+      for (unsigned int k = 0; k < system_.n_free(); ++k)
+        x_accepted[k] = m_accepted[system_.free_unknown(k)];
+      residual(x_accepted, r);
+      prepare_tangent(x_accepted);
+      Vector<double> increment(m_target), K_increment, rhs(system_.n_free());
+      increment -= m_accepted;
+      for (unsigned int k = 0; k < system_.n_free(); ++k)
+        increment[system_.free_unknown(k)] = 0;
+      system_.matrix().vmult(K_increment, increment);
+      for (unsigned int k = 0; k < system_.n_free(); ++k)
+        rhs[k] = -r[k] - K_increment[system_.free_unknown(k)];
+      solve(rhs, x);
+      x += x_accepted;
+      m = m_target;
+    };
+
+    // Only failures of the LoadStepFailure family are survivable.
+    try
+      {
+        for (const auto &contact : contacts_)
+          contact->start_step(u_);
+        Vector<double> x(system_.n_free());
+        bool           started = false;
+        if (has_previous_)
+          {
+            extrapolate(x);
+            try
+              {
+                Vector<double> r;
+                residual(x, r);
+                started = true;
+              }
+            catch (const LoadStepFailure &)
+              {
+                // Extrapolated too far; the tangent is the safer guess.
+                for (const auto &contact : contacts_)
+                  contact->start_step(u_);
+              }
+          }
+        if (!started)
+          follow_tangent(x);
+
+        NewtonProblem problem;
+        problem.residual        = residual;
+        problem.prepare_tangent = prepare_tangent;
+        problem.solve           = solve;
+        problem.force_scale     = [&]() { return force_scale_; };
+        report_ = solve_newton(parameters_.newton, problem, x);
+
+        // Newton's last residual belongs to x; everything derived from it
+        // (contact state, reactions) is that of the trial state.
+        return true;
+      }
+    catch (const LoadStepFailure &failure)
+      {
+        failure_reason_ = failure.what();
+        return false;
+      }
+  }
+
+
+
+  void
+  NumericalPlateTest::commit_history(const LoadStage &stage,
+                                     const double     load_factor)
+  {
+    CurveRow row;
+    row.step        = curve_.size() + 1;
+    row.stage       = stage.name;
+    row.load_factor = load_factor;
+
+    // Conjugates: reactions of the macro unknowns over the area.
+    Vector<double> reactions;
+    system_.condense(residual_, reactions);
+    std::array<double, MacroUnknowns::n_modes> conjugate;
+    double                                     work = 0;
+    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+      {
+        // The macro residual excludes the applied load, so it is the
+        // conjugate for prescribed H and prescribed n alike.
+        conjugate[n] =
+          (reactions[system_.independent_index(macro_.mode(n))]) /
+            cell_->area() +
+          (resultant_controlled_[n] ? applied_[n] : 0.);
+        const double dH = u_trial_[macro_.mode(n)] - u_[macro_.mode(n)];
+        work += 0.5 * (conjugate[n] + conjugate_[n]) * dH * cell_->area();
+        row.H[n] = u_trial_[macro_.mode(n)];
+        row.n[n] = conjugate[n];
+      }
+    // Weaving does work through its own offset.
+    conjugate_ = conjugate;
+
+    if (!curve_.empty())
+      {
+        row.dissipation   = curve_.back().dissipation;
+        row.external_work = curve_.back().external_work;
+      }
+    row.external_work += work;
+    for (const auto &contact : contacts_)
+      {
+        const auto summary = contact->summary();
+        row.n_active += summary.n_active;
+        row.n_stick += summary.n_stick;
+        row.n_slip += summary.n_slip;
+        row.contact_energy += summary.energy;
+        row.friction_energy += summary.friction_energy;
+        row.dissipation += summary.dissipation;
+        row.largest_penetration =
+          std::max(row.largest_penetration, summary.largest_penetration);
+        contact->commit();
+      }
+    row.stored_energy     = stored_energy(u_trial_);
+    row.newton_iterations = report_.iterations;
+    row.newton_order      = report_.order();
+    row.cuts              = cuts_;
+    cuts_                 = 0;
+
+    u_previous_           = u_;
+    load_factor_previous_ = load_factor_;
+    u_                    = u_trial_;
+    load_factor_          = load_factor;
+    has_previous_         = true;
+    if (stage.type != LoadStage::Type::load && load_factor == 1.)
+      {
+        // Weaving has ended here: from now on bending and torsion refer to
+        // the heights of the material points in the woven state.
+        height_.resize(space_->n_control_points());
+        for (unsigned int A = 0; A < height_.size(); ++A)
+          height_[A] = space_->control_points()[A][2] + u_[3 * A + 2];
+      }
+
+    const Resultants averages = compute_averages(u_);
+    row.N                     = averages.N;
+    row.M                     = averages.M;
+    row.cpu_seconds           = cpu_seconds();
+    curve_.push_back(row);
+    if (curve_writer_)
+      curve_writer_->write(row);
+    log_.step(row, report_.residual_norms.back());
+  }
+
+
+
+  // -------------------------------------------------------------- assembly
+
+  void
+  NumericalPlateTest::cell_displacement(const unsigned int    c,
+                                        const Vector<double> &u,
+                                        std::vector<double> & w) const
+  {
+    w.resize(cell_unknowns_[c].size());
+    for (unsigned int a = 0; a < w.size(); ++a)
+      w[a] = u[cell_unknowns_[c][a]];
+  }
+
+
+
+  void
+  NumericalPlateTest::assemble_residual(const Vector<double> &u,
+                                        Vector<double> &      residual)
+  {
+    residual.reinit(macro_.n_unknowns());
+    {
+      TimerOutput::Scope timer(timer_, "Residual: bundles");
+      assemble_bundles(u, &residual);
+    }
+    {
+      TimerOutput::Scope timer(timer_, "Residual: contact");
+      Vector<double>     force(macro_.n_unknowns());
+      for (const auto &contact : contacts_)
+        {
+          contact->evaluate(u);
+          contact->add_residual(force);
+        }
+      residual += force;
+      // Convergence is measured against the forces before they cancel: those
+      // of the cells on their control points, and of contact.
+      force_scale_ = std::sqrt(force_scale_ * force_scale_ +
+                               force.norm_sqr());
+    }
+    // Prescribed resultants act on the macro unknowns.
+    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+      if (resultant_controlled_[n])
+        residual[macro_.mode(n)] -= applied_[n] * cell_->area();
+  }
+
+
+
+  /*
+   * Virtual work of the bundles, int delta F : P dV, and its linearization.
+   * The kernel in room `material` owns the integral over one cell.
+   */
+  void
+  NumericalPlateTest::assemble_bundles(const Vector<double> &u,
+                                       Vector<double> *      residual)
+  {
+    std::vector<double> w, f, K;
+    unsigned int        group  = 0;
+    double              scale2 = 0;
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      {
+        if (multiplicity_[c] == 0)
+          continue;
+        const HyperelasticLaw<3> &law = *laws_[space_->cells()[c].patch];
+        cell_displacement(c, u, w);
+        try
+          {
+            kernel_.evaluate(
+              law, gradients_[c], w, f, residual == nullptr ? &K : nullptr);
+          }
+        catch (const InvertedCell &)
+          {
+            throw InvertedCell(
+              "cell " + std::to_string(c) + " of bundle " +
+              std::to_string(space_->cells()[c].patch));
+          }
+
+        if (residual != nullptr)
+          for (unsigned int a = 0; a < f.size(); ++a)
+            {
+              (*residual)[cell_unknowns_[c][a]] += multiplicity_[c] * f[a];
+              scale2 += multiplicity_[c] * f[a] * f[a];
+            }
+        else
+          system_.add(group, K, multiplicity_[c]);
+        ++group;
+      }
+    if (residual != nullptr)
+      force_scale_ = std::sqrt(scale2);
+  }
+
+
+
+  void
+  NumericalPlateTest::rebuild_pattern()
+  {
+    TimerOutput::Scope timer(timer_, "Pattern");
+    // Couplings seen before stay, so that contact points that move to and fro
+    // do not rebuild the pattern each time.
+    const double margin = 0.02 * parameters_.cell.bundle_thickness;
+    for (const auto &contact : contacts_)
+      {
+        auto couplings = contact->coupled_unknowns(margin);
+        contact_couplings_.insert(contact_couplings_.end(),
+                                  couplings.begin(),
+                                  couplings.end());
+      }
+    system_.build_pattern(contact_couplings_);
+    pattern_is_current_ = true;
+  }
+
+
+
+  void
+  NumericalPlateTest::assemble_tangent(const Vector<double> &u)
+  {
+    for (unsigned int attempt = 0; attempt < 2; ++attempt)
+      {
+        if (!pattern_is_current_)
+          rebuild_pattern();
+        system_.set_zero();
+        {
+          TimerOutput::Scope timer(timer_, "Tangent: contact");
+          for (const auto &contact : contacts_)
+            contact->add_tangent([&](const std::vector<unsigned int> &unknowns,
+                                     const std::vector<double> &      K) {
+              if (!system_.add(unknowns, K))
+                pattern_is_current_ = false;
+            });
+        }
+        if (!pattern_is_current_)
+          continue; // a new coupling appeared: widen the pattern
+        TimerOutput::Scope timer(timer_, "Tangent: bundles");
+        assemble_bundles(u, nullptr);
+        return;
+      }
+    AssertThrow(false, dealii::ExcInternalError());
+  }
+
+
+
+  // --------------------------------------------------------------- results
+
+  double
+  NumericalPlateTest::stored_energy(const Vector<double> &u) const
+  {
+    double              sum = 0;
+    std::vector<double> w;
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      if (multiplicity_[c] > 0)
+        {
+          cell_displacement(c, u, w);
+          sum += multiplicity_[c] *
+                 SolidKernel::energy(*laws_[space_->cells()[c].patch],
+                                     gradients_[c],
+                                     w);
+        }
+    return sum;
+  }
+
+
+
+  Resultants
+  NumericalPlateTest::compute_averages(const Vector<double> &u) const
+  {
+    Resultants          sum;
+    std::vector<double> w;
+    double              F[9], P[9];
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      {
+        if (multiplicity_[c] == 0)
+          continue;
+        const CellGradients &cell = gradients_[c];
+        cell_displacement(c, u, w);
+        const auto A = space_->control_points_of_cell(c);
+        for (unsigned int q = 0; q < cell.n_points; ++q)
+          {
+            SolidKernel::deformation_gradient(cell, w, q, F);
+            laws_[space_->cells()[c].patch]->stress(F, P);
+            double Z3 = 0;
+            for (unsigned int a = 0; a < cell.n_functions; ++a)
+              Z3 += cell.values[q * cell.n_functions + a] *
+                    (height_.empty() ? space_->control_points()[A[a]][2] :
+                                       height_[A[a]]);
+            const double dV = multiplicity_[c] * cell.jxw[q];
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int j = 0; j < 3; ++j)
+                {
+                  sum.N[i][j] += P[3 * i + j] * dV;
+                  sum.M[i][j] += Z3 * P[3 * i + j] * dV;
+                }
+          }
+      }
+    return complete_by_symmetry(*cell_, sum);
+  }
+
+
+
+  void
+  NumericalPlateTest::output_fields(const std::string &stage)
+  {
+    if (directory_.empty())
+      return;
+    TimerOutput::Scope timer(timer_, "Output");
+    const double       time = stages_done_ + load_factor_;
+    (void)stage;
+    std::ostringstream number;
+    number.width(4);
+    number.fill('0');
+    number << curve_.size();
+
+    const std::string bundles = "bundles-" + number.str() + ".vtu";
+    write_vtu(directory_ + "/" + bundles,
+              make_bundle_fields(*space_, laws_, gradients_, u_));
+    bundle_files_.emplace_back(time, bundles);
+    write_pvd(directory_ + "/fields.pvd", bundle_files_);
+
+    for (unsigned int k = 0; k < contacts_.size(); ++k)
+      {
+        const std::string name =
+          "contact-" + std::to_string(k) + "-" + number.str() + ".vtu";
+        const ContactCandidates &pair = cell_->contacts()[k];
+        write_vtu(directory_ + "/" + name,
+                  make_contact_fields(*space_,
+                                      pair.secondary_bundle,
+                                      pair.secondary_side,
+                                      *contacts_[k],
+                                      u_));
+        contact_files_.emplace_back(time, name);
+      }
+    write_pvd(directory_ + "/contact.pvd", contact_files_);
+  }
+
+
+
+  void
+  NumericalPlateTest::finish_output()
+  {
+    log_.finish();
+    if (directory_.empty())
+      return;
+    if (parameters_.output.picture)
+      {
+        TimerOutput::Scope timer(timer_, "Output");
+        const std::string  warning = plot_curves(directory_);
+        if (!warning.empty())
+          log_.warning(warning);
+      }
+    log_.line("Factorizations: " + std::to_string(linear_solver_->n_numeric()) +
+              " (" + std::to_string(linear_solver_->n_symbolic()) +
+              " new patterns)");
+    std::ostringstream table;
+    timer_.print_summary();
+  }
+
+
+
+  double
+  NumericalPlateTest::cpu_seconds() const
+  {
+    return process_cpu_seconds() - cpu_start_;
+  }
+} // namespace NPT

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Gathering, reading and cross-checking of all parameters.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/cell/fabric_cell.h>
+#include <npt_dealii/top/parameters.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <sstream>
+
+namespace NPT
+{
+  namespace Patterns = dealii::Patterns;
+
+  void
+  OutputParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    {
+      prm.declare_entry("Directory",
+                        "output",
+                        Patterns::DirectoryName(),
+                        "Where all results go; created if missing. The option "
+                        "--output of the program overrides it.");
+      prm.declare_entry("Fields",
+                        "stages",
+                        Patterns::Selection("none|stages|steps"),
+                        "When fields (VTU) are written: never, at the end of "
+                        "every stage, or after every accepted load step.");
+      prm.declare_entry("Picture",
+                        "true",
+                        Patterns::Bool(),
+                        "Draw curves.svg with gnuplot at the end.");
+    }
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  OutputParameters::parse_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    directory = prm.get("Directory");
+    fields    = prm.get("Fields");
+    picture   = prm.get_bool("Picture");
+    prm.leave_subsection();
+  }
+
+
+
+  namespace
+  {
+    void
+    declare_all(dealii::ParameterHandler &      prm,
+                const std::vector<std::string> &stages)
+    {
+      CellParameters::declare_parameters(prm);
+      MeshParameters::declare_parameters(prm);
+      MaterialParameters::declare_parameters(prm);
+      ContactParameters::declare_parameters(prm);
+      FrictionParameters::declare_parameters(prm);
+      LoadProgramme::declare_parameters(prm, stages);
+      NewtonParameters::declare_parameters(prm);
+      LinearSolverParameters::declare_parameters(prm);
+      OutputParameters::declare_parameters(prm);
+    }
+
+    // A mode that the cell's symmetry forbids would give wrong numbers without
+    // any sign of error, so it is refused here.
+    void
+    check_modes(const Parameters &parameters)
+    {
+      const FabricCell cell(parameters.cell, parameters.mesh);
+      for (const LoadStage &stage : parameters.load_programme.stages)
+        {
+          const auto check = [&](const unsigned int n, const std::string &letter) {
+            if (!cell.represents_mode(n))
+              throw InputError(
+                "Stage " + stage.name + " prescribes " + letter +
+                std::to_string(n + 1) + ", which the " + parameters.cell.type +
+                " cannot represent: its " + cell.obstacle(n) +
+                " turns this mode into its opposite, so that the cell would "
+                "rotate instead of deforming; only H1, H2 and H3 are allowed "
+                "(subsection Stage " +
+                stage.name + ").");
+          };
+          for (const auto &target : stage.H_targets)
+            check(target.first, "H");
+          for (const auto &target : stage.n_targets)
+            check(target.first, "n");
+        }
+    }
+  } // namespace
+
+
+
+  Parameters
+  Parameters::read(const ParameterText &           text,
+                   const std::vector<std::string> &overrides)
+  {
+    // First pass: the names of the stages, which decide what else there is to
+    // declare. An unusable list is reported by the second pass.
+    std::vector<std::string> stages = LoadProgramme::read_stage_names("");
+    if (const auto entry = get_entry(text, overrides, "Load programme/Stages"))
+      {
+        const auto names = dealii::Utilities::split_string_list(*entry, ',');
+        if (!names.empty())
+          stages = names;
+      }
+
+    dealii::ParameterHandler prm;
+    declare_all(prm, stages);
+    parse_parameter_text(prm, text, overrides);
+
+    Parameters parameters;
+    parameters.cell.parse_parameters(prm);
+    parameters.mesh.parse_parameters(prm);
+    parameters.material.parse_parameters(prm);
+    parameters.contact.parse_parameters(prm);
+    parameters.friction.parse_parameters(prm);
+    parameters.load_programme.parse_parameters(prm);
+    parameters.newton.parse_parameters(prm);
+    parameters.linear_solver.parse_parameters(prm);
+    parameters.output.parse_parameters(prm);
+    check_modes(parameters);
+
+    std::ostringstream used;
+    print_documented_parameters(prm, used);
+    parameters.used_file = used.str();
+    return parameters;
+  }
+
+
+
+  std::string
+  Parameters::documented_defaults()
+  {
+    dealii::ParameterHandler prm;
+    declare_all(prm, LoadProgramme::read_stage_names(""));
+    std::ostringstream out;
+    print_documented_parameters(prm, out);
+    return out.str();
+  }
+} // namespace NPT

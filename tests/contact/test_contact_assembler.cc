@@ -1,0 +1,761 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Tests of the virtual work of contact: energies, tangents, balances,
+// invariances, and a block on a plane by hand.
+
+#include "contact_test_tools.h"
+
+#include <npt_dealii/contact/contact_assembler.h>
+
+using namespace ContactTests;
+using dealii::Vector;
+using NPT::ContactAssembler;
+using NPT::ContactParameters;
+using NPT::FrictionParameters;
+
+namespace
+{
+  ContactParameters
+  contact_parameters(const std::string &method)
+  {
+    ContactParameters parameters;
+    parameters.method = method;
+    return parameters;
+  }
+
+  FrictionParameters
+  friction_parameters(const double mu)
+  {
+    FrictionParameters parameters;
+    parameters.coefficient = mu;
+    return parameters;
+  }
+
+  // Two bodies in contact: the top of the first is the secondary surface, the
+  // bottom of the second the primary one.
+  template <int dim>
+  struct Pair
+  {
+    IGASpace<dim>           space;
+    IGASurface<dim>         secondary, primary;
+    ContactAssembler<dim>   contact;
+    std::vector<Point<dim>> X;
+
+    Pair(const std::vector<NURBSPatch<dim>>                  &patches,
+         const ContactParameters                             &parameters,
+         const double                                         mu    = 0.,
+         const Basis                                          basis = Basis::NURBS,
+         const typename ContactAssembler<dim>::Multiplicity &multiplicity = {})
+      : space(patches, {}, basis)
+      , secondary(space, 0, dim - 1, 1)
+      , primary(space, 1, dim - 1, 0)
+      , contact(ContactSurface<dim>(secondary),
+                {ContactSurface<dim>(primary)},
+                parameters,
+                friction_parameters(mu),
+                0.6,
+                multiplicity)
+      , X(space.control_points())
+    {
+      if (mu > 0.)
+        contact.set_friction(true);
+    }
+
+    unsigned int
+    n() const
+    {
+      return dim * X.size();
+    }
+
+    Vector<double>
+    zero() const
+    {
+      return Vector<double>(n());
+    }
+
+    // Displacement of a map of both bodies (upper: only the second body).
+    Vector<double>
+    displacement(const Map<dim> &lower, const Map<dim> &upper) const
+    {
+      Vector<double>     u(n());
+      const unsigned int n_lower = space.patch(0).n_control_points();
+      for (unsigned int A = 0; A < X.size(); ++A)
+        {
+          const auto w = (A < n_lower ? lower(X[A]) : upper(X[A])) - X[A];
+          for (int i = 0; i < dim; ++i)
+            u[dim * A + i] = w[i];
+        }
+      return u;
+    }
+
+    Vector<double>
+    residual()
+    {
+      Vector<double> r(n());
+      contact.add_residual(r);
+      return r;
+    }
+
+    Vector<double>
+    residual(const Vector<double> &u)
+    {
+      contact.evaluate(u);
+      return residual();
+    }
+
+    // K d and K^T d of the evaluated state.
+    std::pair<Vector<double>, Vector<double>>
+    tangent_times(const Vector<double> &d) const
+    {
+      Vector<double> Kd(n()), KTd(n());
+      contact.add_tangent([&](const std::vector<unsigned int> &dofs,
+                              const std::vector<double>       &K) {
+        const unsigned int size = dofs.size();
+        REQUIRE(K.size() == size * size);
+        for (unsigned int i = 0; i < size; ++i)
+          for (unsigned int j = 0; j < size; ++j)
+            {
+              Kd[dofs[i]] += K[i * size + j] * d[dofs[j]];
+              KTd[dofs[j]] += K[i * size + j] * d[dofs[i]];
+            }
+      });
+      return {Kd, KTd};
+    }
+
+    Tensor<1, dim>
+    force(const Vector<double> &r, const unsigned int body) const
+    {
+      Tensor<1, dim>     f;
+      const unsigned int n_lower = space.patch(0).n_control_points();
+      for (unsigned int A = body == 0 ? 0 : n_lower;
+           A < (body == 0 ? n_lower : X.size());
+           ++A)
+        for (int i = 0; i < dim; ++i)
+          f[i] += r[dim * A + i];
+      return f;
+    }
+  };
+
+  template <int dim>
+  std::array<KnotVector, dim - 1>
+  uniform_knots(const unsigned int p, const unsigned int a, const unsigned int b)
+  {
+    if constexpr (dim == 2)
+      return {{KnotVector::uniform(p, a)}};
+    else
+      return {{KnotVector::uniform(p, a), KnotVector::uniform(p, b)}};
+  }
+
+  // A hump below a smaller curved plate that dips into it by 0.1 to 0.15 in
+  // the middle and is open around; some points miss the plate.
+  template <int dim>
+  std::vector<NURBSPatch<dim>>
+  curved_pair(const unsigned int p, const bool symmetric = false)
+  {
+    const double s = symmetric ? 0. : 1.;
+    return {slab<dim>(uniform_knots<dim>(p, 4, 3),
+                      [s](const Point<dim> &u) {
+                        Point<dim>   x = u;
+                        const double a = 2.2 * u[0] - 1.1,
+                                     b = dim == 3 ? 2. * u[1] - 1. : 0.;
+                        x[0]       = a + 0.1 * s * b * a;
+                        x[dim - 1] = (u[dim - 1] - 1.) * 0.5 -
+                                     0.25 * (a * a + b * b) + 0.05 * s * a;
+                        if (dim == 3)
+                          x[1] = b;
+                        return x;
+                      }),
+            slab<dim>(uniform_knots<dim>(p, 3, 4), [s](const Point<dim> &u) {
+              Point<dim>   x = u;
+              const double a = 1.8 * u[0] - 0.9,
+                           b = dim == 3 ? 1.8 * u[1] - 0.9 : 0.;
+              x[0] = a;
+              if (dim == 3)
+                x[1] = b + 0.1 * s * a;
+              x[dim - 1] = u[dim - 1] * 0.5 - 0.13 + 0.15 * a * a +
+                           0.1 * b * b + 0.04 * s * a * b;
+              return x;
+            })};
+  }
+
+  template <int dim>
+  Vector<double>
+  random_direction(const unsigned int n,
+                   const unsigned int seed,
+                   const double       size = 1.)
+  {
+    std::mt19937                           generator(seed);
+    std::uniform_real_distribution<double> unit(-size, size);
+    Vector<double>                         d(n);
+    for (double &v : d)
+      v = unit(generator);
+    return d;
+  }
+
+  // Rotation about a skew axis (in the plane: about its normal).
+  template <int dim>
+  Point<dim>
+  rotate(const Point<dim> &x, const double angle)
+  {
+    const double c = std::cos(angle), s = std::sin(angle);
+    Point<dim>   y = x;
+    y[0]           = c * x[0] - s * x[1];
+    y[1]           = s * x[0] + c * x[1];
+    if (dim == 3)
+      {
+        const double y0 = y[0], y2 = y[dim - 1];
+        y[0]       = c * y0 + s * y2;
+        y[dim - 1] = -s * y0 + c * y2;
+      }
+    return y;
+  }
+
+  // Three states: first touch (a, committed: reference of slip), sheared (b,
+  // committed: traction), sheared back and turned (c).
+  template <int dim>
+  std::array<Vector<double>, 3>
+  frictional_path(const Pair<dim> &pair, const double noise = 0.004)
+  {
+    const auto shifted = [](const double dx, const double dy) {
+      return [dx, dy](const Point<dim> &X) {
+        Point<dim> x = X;
+        x[0] += dx + 0.02 * X[1];
+        x[1] += dim == 3 ? dy : 0.;
+        x[dim - 1] -= 0.5 * dx;
+        return x;
+      };
+    };
+    const auto rest = [](const Point<dim> &X) { return X; };
+    std::array<Vector<double>, 3> u = {
+      {pair.displacement(rest, shifted(0., 0.)),
+       pair.displacement(rest, shifted(0.03, 0.02)),
+       pair.displacement(rest, shifted(0.02, 0.03))}};
+    for (unsigned int k = 0; k < 3; ++k)
+      u[k] += random_direction<dim>(pair.n(), 10 + k, noise);
+    return u;
+  }
+
+  // All positions rotated and moved: u -> Q (X + u) + t - X.
+  template <int dim>
+  Vector<double>
+  rotated(const Pair<dim> &pair, const Vector<double> &u, const double angle)
+  {
+    Vector<double> v(u.size());
+    for (unsigned int A = 0; A < pair.X.size(); ++A)
+      {
+        Point<dim> x = pair.X[A];
+        for (int i = 0; i < dim; ++i)
+          x[i] += u[dim * A + i];
+        x = rotate(x, angle);
+        for (int i = 0; i < dim; ++i)
+          v[dim * A + i] = x[i] + 0.3 * (i + 1) - pair.X[A][i];
+      }
+    return v;
+  }
+
+  template <int dim>
+  Vector<double>
+  rotated_vector(const Vector<double> &r, const double angle)
+  {
+    Vector<double> q(r.size());
+    for (unsigned int A = 0; A < r.size() / dim; ++A)
+      {
+        Point<dim> x;
+        for (int i = 0; i < dim; ++i)
+          x[i] = r[dim * A + i];
+        x = rotate(x, angle);
+        for (int i = 0; i < dim; ++i)
+          q[dim * A + i] = x[i];
+      }
+    return q;
+  }
+
+  double
+  difference(const Vector<double> &a, const Vector<double> &b)
+  {
+    Vector<double> d = a;
+    d -= b;
+    return d.l2_norm() / std::max(a.l2_norm(), b.l2_norm());
+  }
+
+  // Follow the path: first and second state accepted, the third evaluated.
+  template <int dim>
+  void
+  follow(Pair<dim> &pair, const std::array<Vector<double>, 3> &u)
+  {
+    pair.contact.start_step(u[0]);
+    pair.contact.evaluate(u[0]);
+    pair.contact.commit();
+    pair.contact.start_step(u[0]);
+    pair.contact.evaluate(u[1]);
+    pair.contact.commit();
+    pair.contact.start_step(u[1]);
+    pair.contact.evaluate(u[2]);
+  }
+
+  template <int dim>
+  double
+  tangent_error(Pair<dim> &pair, const Vector<double> &u)
+  {
+    const double h = 1e-6; // error h^2 plus 1e-16/h, both 1e-10 of K d
+    const auto   d = random_direction<dim>(pair.n(), 77);
+    pair.contact.evaluate(u);
+    const auto Kd   = pair.tangent_times(d).first;
+    auto       plus = u, minus = u;
+    plus.add(h, d);
+    minus.add(-h, d);
+    auto difference_quotient = pair.residual(plus);
+    difference_quotient -= pair.residual(minus);
+    difference_quotient /= 2 * h;
+    pair.contact.evaluate(u);
+    if (Kd.l2_norm() == 0. && difference_quotient.l2_norm() == 0.)
+      return 0.;
+    return difference(Kd, difference_quotient);
+  }
+
+  const std::array<std::string, 2> methods = {{"mortar", "KTS"}};
+
+  template <int dim>
+  void
+  check_frictionless(const unsigned int p, const std::string &method)
+  {
+    INFO(method << ", dim " << dim << ", degree " << p);
+    Pair<dim> pair(curved_pair<dim>(p), contact_parameters(method));
+    auto      u = pair.zero();
+    u += random_direction<dim>(pair.n(), 3, 0.01);
+    pair.contact.start_step(u);
+    const auto r       = pair.residual(u);
+    const auto summary = pair.contact.summary();
+    CHECK(summary.n_active > 2);
+    CHECK(summary.n_active < pair.contact.nodes().size());
+
+    const double h = 1e-6; // error h^2 and 1e-16/h
+    const auto   d = random_direction<dim>(pair.n(), 5);
+    auto         plus = u, minus = u;
+    plus.add(h, d);
+    minus.add(-h, d);
+    pair.contact.evaluate(plus);
+    const double up = pair.contact.summary().energy;
+    pair.contact.evaluate(minus);
+    const double down = pair.contact.summary().energy;
+    CHECK(std::abs((up - down) / (2 * h) - r * d) < 1e-7 * std::abs(r * d));
+
+    CHECK(tangent_error(pair, u) < 1e-6);
+    const auto e  = random_direction<dim>(pair.n(), 6);
+    const auto Ke = pair.tangent_times(e);
+    CHECK(difference(Ke.first, Ke.second) < 1e-12); // rounding
+  }
+
+  template <int dim>
+  void
+  check_frictional(const unsigned int p,
+                   const std::string &method,
+                   const double       mu,
+                   const double       angle)
+  {
+    INFO(method << ", dim " << dim << ", degree " << p << ", mu " << mu
+                << ", turned " << angle);
+    Pair<dim> pair(curved_pair<dim>(p), contact_parameters(method), mu);
+    auto      u = frictional_path(pair);
+    for (auto &v : u)
+      v = rotated(pair, v, angle);
+    follow(pair, u);
+    const auto summary = pair.contact.summary();
+    if (mu == 20.)
+      CHECK((summary.n_stick > 2 && summary.n_slip == 0));
+    else if (mu == 0.02)
+      CHECK((summary.n_slip > 2 && summary.n_stick == 0));
+    else
+      CHECK((summary.n_slip > 0 && summary.n_stick > 0));
+    double traction = 0.;
+    for (const auto &t : pair.contact.history().traction)
+      traction = std::max(traction, std::abs(t[0]));
+    CHECK(traction > 1e-3);
+    CHECK(tangent_error(pair, u[2]) < 1e-6);
+  }
+} // namespace
+
+
+
+TEST_CASE("Frictionless contact forces are the derivative of the penalty energy "
+          "and their tangent is symmetric",
+          "[contact]")
+{
+  for (const std::string &method : methods)
+    {
+      check_frictionless<2>(2, method);
+      check_frictionless<2>(3, method);
+      check_frictionless<3>(2, method);
+    }
+  check_frictionless<3>(3, "mortar");
+}
+
+
+
+TEST_CASE("Open surfaces exert no force and have no stiffness", "[contact]")
+{
+  for (const std::string &method : methods)
+    {
+      Pair<3>    pair(curved_pair<3>(2), contact_parameters(method), 0.3);
+      const auto u =
+        pair.displacement([](const Point<3> &X) { return X; },
+                          [](const Point<3> &X) {
+                            return X + Point<3>(0., 0., 0.4);
+                          });
+      pair.contact.start_step(u);
+      CHECK(pair.residual(u).l2_norm() == 0.);
+      CHECK(pair.contact.summary().n_active == 0);
+      CHECK(pair.contact.summary().energy == 0.);
+      const auto d = random_direction<3>(pair.n(), 1);
+      CHECK(pair.tangent_times(d).first.l2_norm() == 0.);
+      CHECK(pair.contact.coupled_unknowns(0.).empty());
+      CHECK(!pair.contact.coupled_unknowns(1.).empty());
+    }
+}
+
+
+
+TEST_CASE("In sticking, sliding and mixed states the tangent is the derivative "
+          "of the forces, also after a large rotation",
+          "[contact]")
+{
+  for (const std::string &method : methods)
+    for (const double mu : {20., 0.02, 0.25})
+      {
+        check_frictional<2>(2, method, mu, 0.);
+        check_frictional<2>(3, method, mu, 2.);
+        check_frictional<3>(2, method, mu, 0.8);
+      }
+  check_frictional<3>(3, "mortar", 0.25, 0.);
+}
+
+
+
+TEST_CASE("The tangent couples no unknowns but those announced", "[contact]")
+{
+  for (const std::string &method : methods)
+    {
+      Pair<3> pair(curved_pair<3>(2), contact_parameters(method), 0.25);
+      follow(pair, frictional_path(pair));
+      const unsigned int n = pair.n();
+      std::vector<bool>  allowed(n * n);
+      for (const auto &group : pair.contact.coupled_unknowns(0.))
+        for (const unsigned int i : group)
+          for (const unsigned int j : group)
+            allowed[i * n + j] = true;
+      unsigned int n_outside = 0, n_inside = 0;
+      pair.contact.add_tangent([&](const std::vector<unsigned int> &dofs,
+                                   const std::vector<double>       &K) {
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          for (unsigned int j = 0; j < dofs.size(); ++j)
+            if (K[i * dofs.size() + j] != 0.)
+              ++(allowed[dofs[i] * n + dofs[j]] ? n_inside : n_outside);
+      });
+      CHECK(n_outside == 0);
+      CHECK(n_inside > 100);
+    }
+}
+
+
+
+TEST_CASE("Contact forces balance, and their moments about any point, with "
+          "friction too",
+          "[contact]")
+{
+  // Gap and closest point do not change when all moves rigidly, so the virtual
+  // work of a rigid motion is zero: to rounding, at any gap and slip.
+  for (const std::string &method : methods)
+    for (const double mu : {0., 0.25})
+      {
+        INFO(method << ", mu " << mu);
+        Pair<3>    pair(curved_pair<3>(2), contact_parameters(method), mu);
+        const auto path = frictional_path(pair);
+        follow(pair, path);
+        const auto   r = pair.residual();
+        Tensor<1, 3> force, moment;
+        double       size = 0.;
+        for (unsigned int A = 0; A < pair.X.size(); ++A)
+          {
+            Tensor<1, 3> f, arm({7., -5., 3.}); // about some point
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                f[i] = r[3 * A + i];
+                arm[i] += pair.X[A][i] + path[2][3 * A + i];
+              }
+            force += f;
+            moment += cross_product_3d(arm, f);
+            size += f.norm();
+          }
+        CHECK(size > 0.1);
+        CHECK(force.norm() < 1e-14 * size);
+        CHECK(moment.norm() < 1e-13 * size);
+        CHECK(pair.force(r, 0).norm() > 0.1 * size);
+      }
+}
+
+
+
+TEST_CASE("Turning and moving everything turns the forces and leaves the rest",
+          "[contact]")
+{
+  for (const std::string &method : methods)
+    {
+      Pair<3>    a(curved_pair<3>(2), contact_parameters(method), 0.25);
+      Pair<3>    b(curved_pair<3>(2), contact_parameters(method), 0.25);
+      const auto path   = frictional_path(a);
+      auto       turned = path;
+      for (auto &u : turned)
+        u = rotated(b, u, 1.1);
+      follow(a, path);
+      follow(b, turned);
+      // Rounding of slips: 1e-16 times eps_T / forces.
+      CHECK(difference(rotated_vector<3>(a.residual(), 1.1), b.residual()) <
+            1e-11);
+      const auto p = a.contact.summary(), q = b.contact.summary();
+      CHECK(p.n_slip == q.n_slip);
+      CHECK(p.n_stick == q.n_stick);
+      CHECK(std::abs(p.energy - q.energy) < 1e-12 * p.energy);
+      CHECK(std::abs(p.friction_energy - q.friction_energy) <
+            1e-10 * p.friction_energy);
+      CHECK(std::abs(p.dissipation - q.dissipation) < 1e-10 * p.dissipation);
+    }
+}
+
+
+
+TEST_CASE("Both C0 bases give the same pressures on polynomial bodies",
+          "[contact]")
+{
+  for (const std::string &method : methods)
+    {
+      Pair<3> a(curved_pair<3>(2), contact_parameters(method), 0.3, Basis::Bernstein);
+      Pair<3> b(curved_pair<3>(2), contact_parameters(method), 0.3, Basis::Lagrange);
+      for (Pair<3> *pair : {&a, &b})
+        {
+          // Affine: the same motion whatever the control points are.
+          const auto u = pair->displacement(
+            [](const Point<3> &X) { return X; },
+            [](const Point<3> &X) {
+              return Point<3>(X[0] + 0.02 + 0.01 * X[1], X[1], X[2] - 0.01 + 0.01 * X[0]);
+            });
+          pair->contact.start_step(pair->zero());
+          pair->contact.evaluate(pair->zero());
+          pair->contact.commit();
+          pair->contact.evaluate(u);
+        }
+      double error = 0., largest = 0.;
+      for (unsigned int I = 0; I < a.contact.nodes().size(); ++I)
+        {
+          const auto &s = a.contact.nodes()[I], &t = b.contact.nodes()[I];
+          error   = std::max({error,
+                              std::abs(s.pressure - t.pressure),
+                              std::abs(s.friction.traction[0] -
+                                       t.friction.traction[0]),
+                              std::abs(s.friction.traction[1] -
+                                       t.friction.traction[1])});
+          largest = std::max(largest, -s.pressure);
+        }
+      CHECK(largest > 1.);
+      CHECK(error < 1e-10 * largest); // penalty 100 times rounding 1e-13
+      const auto fa = a.force(a.residual(), 0), fb = b.force(b.residual(), 0);
+      CHECK((fa - fb).norm() < 1e-11 * fa.norm());
+    }
+}
+
+
+
+TEST_CASE("Half of the nodes counted twice gives the force of a symmetric pair",
+          "[contact]")
+{
+  // 2-fold axis along z: (x, y, z) -> (-x, -y, z).
+  const auto half = [](const Point<3> &X) -> unsigned int {
+    const double tiny = 1e-9;
+    if (std::abs(X[0]) > tiny)
+      return X[0] > 0. ? 2 : 0;
+    if (std::abs(X[1]) > tiny)
+      return X[1] > 0. ? 2 : 0;
+    return 1;
+  };
+  for (const std::string &method : methods)
+    {
+      const auto patches = curved_pair<3>(2, true);
+      Pair<3>    full(patches, contact_parameters(method), 0.2);
+      Pair<3> condensed(patches, contact_parameters(method), 0.2, Basis::NURBS, half);
+      // A twist keeps the symmetry.
+      for (Pair<3> *pair : {&full, &condensed})
+        {
+          pair->contact.start_step(pair->zero());
+          pair->contact.evaluate(pair->zero());
+          pair->contact.commit();
+          pair->contact.evaluate(pair->displacement(
+            [](const Point<3> &X) { return X; },
+            [](const Point<3> &X) {
+              return Point<3>(X[0] - 0.05 * X[1], X[1] + 0.05 * X[0], X[2] - 0.01);
+            }));
+        }
+      const auto r = full.residual(), h = condensed.residual();
+      auto       sum = full.zero();
+      for (unsigned int A = 0; A < full.X.size(); ++A)
+        {
+          unsigned int partner = 0;
+          while (full.X[partner].distance(
+                   Point<3>(-full.X[A][0], -full.X[A][1], full.X[A][2])) > 1e-9 ||
+                 (partner < full.space.patch(0).n_control_points()) !=
+                   (A < full.space.patch(0).n_control_points()))
+            ++partner;
+          for (unsigned int i = 0; i < 3; ++i)
+            sum[3 * A + i] =
+              0.5 * (h[3 * A + i] + (i < 2 ? -1. : 1.) * h[3 * partner + i]);
+        }
+      CHECK(difference(sum, r) < 1e-12); // rounding
+      CHECK(difference(h, r) > 0.1);     // not the same before folding
+      const auto p = full.contact.summary(), q = condensed.contact.summary();
+      CHECK(p.n_active == q.n_active);
+      CHECK(p.n_slip == q.n_slip);
+      CHECK(q.energy == Approx(p.energy).epsilon(1e-12));
+      CHECK(q.dissipation == Approx(p.dissipation).epsilon(1e-12));
+    }
+}
+
+
+
+TEST_CASE("What was tried and not accepted leaves no trace, to the last bit",
+          "[contact]")
+{
+  for (const std::string &method : methods)
+    {
+      Pair<3>    pair(curved_pair<3>(2), contact_parameters(method), 0.25);
+      const auto path = frictional_path(pair);
+      follow(pair, path);
+      const auto r = pair.residual();
+      const auto d = random_direction<3>(pair.n(), 4);
+      const auto K = pair.tangent_times(d).first;
+
+      // Another state, and back.
+      auto other = path[2];
+      other.add(0.05, d);
+      CHECK(difference(pair.residual(other), r) > 1e-3);
+      CHECK(pair.residual(path[2]) == r);
+      CHECK(pair.tangent_times(d).first == K);
+
+      // A rejected step, and the step again.
+      pair.contact.evaluate(other);
+      pair.contact.start_step(path[1]);
+      CHECK(pair.residual(path[2]) == r);
+
+      // The history put back after an acceptance.
+      const auto history = pair.contact.history();
+      pair.contact.commit();
+      pair.contact.set_history(history);
+      pair.contact.start_step(path[1]);
+      CHECK(pair.residual(path[2]) == r);
+    }
+}
+
+
+
+TEST_CASE("Without friction nothing of friction is computed", "[contact]")
+{
+  for (const std::string &method : methods)
+    {
+      Pair<3> never(curved_pair<3>(2), contact_parameters(method), 0.);
+      Pair<3> off(curved_pair<3>(2), contact_parameters(method), 0.25);
+      const auto path = frictional_path(never);
+      follow(off, path);
+      off.contact.set_friction(false);
+      follow(never, path);
+      follow(off, path);
+      CHECK(never.residual() == off.residual());
+      const auto d = random_direction<3>(off.n(), 4);
+      CHECK(never.tangent_times(d).first == off.tangent_times(d).first);
+      for (const Pair<3> *pair : {&never, &off})
+        {
+          for (const auto &node : pair->contact.nodes())
+            {
+              CHECK(node.slip == std::array<double, 2>{});
+              CHECK(node.friction.traction == std::array<double, 2>{});
+            }
+          for (const auto &t : pair->contact.history().traction)
+            CHECK(t == std::array<double, 2>{});
+          CHECK(pair->contact.summary().n_slip == 0);
+          CHECK(pair->contact.summary().n_stick == 0);
+          CHECK(pair->contact.summary().dissipation == 0.);
+        }
+      // Switched on: the first step starts without slip.
+      off.contact.set_friction(true);
+      off.contact.start_step(path[2]);
+      off.contact.evaluate(path[2]);
+      for (const auto &node : off.contact.nodes())
+        CHECK(std::hypot(node.slip[0], node.slip[1]) < 1e-12);
+    }
+}
+
+
+
+TEST_CASE("A block pressed on a plane carries penalty times depth times length",
+          "[contact]")
+{
+  const auto patches = [](const unsigned int n_spans) {
+    return std::vector<NURBSPatch<2>>{
+      slab<2>(uniform_knots<2>(2, n_spans, 1),
+              [](const Point<2> &u) {
+                return Point<2>(u[0] - 0.5, u[1] - 1.);
+              }),
+      slab<2>(uniform_knots<2>(2, 4, 1), [](const Point<2> &u) {
+        return Point<2>(6. * u[0] - 3., u[1]);
+      })};
+  };
+  for (const std::string &method : methods)
+    for (const unsigned int n_spans : {1, 3})
+      {
+        // The block is the lower, secondary body, length 1.
+        Pair<2> pair(patches(n_spans), contact_parameters(method), 0.3);
+        auto    state = [&](const double slip) {
+          return pair.displacement(
+            [slip](const Point<2> &X) {
+              return Point<2>(X[0] + slip, X[1] + 0.01);
+            },
+            [](const Point<2> &X) { return X; });
+        };
+        pair.contact.start_step(pair.zero());
+        pair.contact.evaluate(state(0.));
+        pair.contact.commit();
+        const double N = 100. * 0.01 * 1.;
+
+        // The force on a body is minus its part of the virtual work. Slip
+        // begins after 0.003 = mu p / eps_T; steps of 0.001 end there.
+        double                    position = 0., previous = 0.;
+        double                    work = 0., dissipation = 0.;
+        const double              amplitude = 0.010;
+        std::vector<unsigned int> legs      = {10, 20, 20, 20};
+        for (unsigned int leg = 0; leg < legs.size(); ++leg)
+          {
+            if (leg == 2)
+              work = dissipation = 0.; // the loop from here on
+            for (unsigned int i = 1; i <= legs[leg]; ++i)
+              {
+                position += leg % 2 == 0 ? 0.001 : -0.001;
+                pair.contact.start_step(state(position));
+                pair.contact.evaluate(state(position));
+                const auto r     = pair.residual();
+                const auto force = -1. * pair.force(r, 0);
+                CHECK(std::abs(force[1] + N) < 1e-12); // rounding
+                CHECK((force + -1. * pair.force(r, 1)).norm() < 1e-12);
+                // Opposes the motion of the secondary: elastic, then mu N.
+                const double travelled =
+                  leg == 0 ? i * 0.001 : i * 0.001 - 0.003;
+                const double expected = std::min(100. * travelled, 0.3 * N);
+                CHECK(std::abs(force[0] + (leg % 2 == 0 ? expected : -expected)) <
+                      1e-10); // penalty times rounding
+                work -= 0.5 * (force[0] + previous) *
+                        (leg % 2 == 0 ? 0.001 : -0.001);
+                previous = force[0];
+                CHECK(pair.contact.summary().dissipation >= 0.);
+                dissipation += pair.contact.summary().dissipation;
+                pair.contact.commit();
+              }
+          }
+        // A parallelogram: 2 mu N high, 2 (A - 0.003) wide.
+        CHECK(work == Approx(4. * 0.3 * N * (amplitude - 0.003)).epsilon(1e-9));
+        CHECK(dissipation == Approx(work).epsilon(1e-9));
+      }
+}
