@@ -99,12 +99,13 @@ namespace NPT
 
 
   template <int dim>
-  ClosestPoint<dim>
+  void
   project(const ContactSurface<dim> &        surface,
           const std::vector<Point<dim>> &    positions,
           const Point<dim> &                 point,
           const std::array<double, dim - 1> &start,
-          const bool                         third_derivatives)
+          const bool                         third_derivatives,
+          ClosestPoint<dim> &                c)
   {
     constexpr int          m = dim - 1;
     const IGASurface<dim> &face = surface.surface();
@@ -121,11 +122,18 @@ namespace NPT
         piece[k]  = smooth_piece(knots, span[k]);
       }
 
-    ClosestPoint<dim> c, trial;
+    // Its vectors are kept between calls: allocation would cost more than the
+    // geometry itself.
+    static thread_local ClosestPoint<dim> trial;
+    c.found       = false;
+    c.on_boundary = false;
     evaluate_geometry(surface, positions, point, u, span, 2, c);
     double       distance2   = c.r.norm_square();
-    const double length_tiny = 1e-14;
     unsigned int n_changes   = 0;
+    // Newton's step below this part of the size doubles its digits: the next
+    // point is exact to rounding, and comparing distances means nothing there.
+    const double length_last = 1e-8;
+    bool         last        = false;
 
     for (unsigned int iteration = 0; iteration < 100; ++iteration)
       {
@@ -140,6 +148,10 @@ namespace NPT
             const bool at_high = u[k] >= piece[k].second;
             free[k]            = !((at_low && gradient[k] > 0) ||
                         (at_high && gradient[k] < 0));
+            // A direction without extent (or not a number).
+            const double width = domain[k].second - domain[k].first;
+            if (!(metric[k] * width * width > 1e-24 * distance2))
+              return;
           }
         for (int k = 0; k < m; ++k)
           for (int l = 0; l < m; ++l)
@@ -149,12 +161,11 @@ namespace NPT
         double step[m];
         for (int k = 0; k < m; ++k)
           step[k] = 0;
-        bool any_free = false;
+        bool any_free = false, gauss_newton = false;
         for (int k = 0; k < m; ++k)
           any_free = any_free || free[k];
         if (any_free)
           {
-            bool gauss_newton = false;
             for (int attempt = 0; attempt < 2; ++attempt)
               {
                 if (m == 2 && free[0] && free[m - 1])
@@ -183,7 +194,7 @@ namespace NPT
                       }
                   }
                 if (gauss_newton)
-                  return c; // degenerate surface: found stays false
+                  return; // degenerate surface: found stays false
                 gauss_newton = true;
                 for (int k = 0; k < m; ++k)
                   for (int l = 0; l < m; ++l)
@@ -201,7 +212,7 @@ namespace NPT
             }
         const double scale = std::sqrt(distance2) + std::sqrt(metric[0]);
 
-        if (!any_free || length <= length_tiny * scale || decrement <= 0)
+        if (!any_free || last || length == 0. || decrement <= 0)
           {
             // Stationary in this piece: look across the C0 knots we are held
             // at; the neighbor may lead further down.
@@ -225,16 +236,16 @@ namespace NPT
                     {
                       span     = other;
                       piece[k] = smooth_piece(knots, span[k]);
-                      c        = trial;
+                      std::swap(c, trial);
                       ++n_changes;
                       changed = true;
+                      last    = false;
                     }
                 }
             if (changed)
               continue;
 
-            c.found       = true;
-            c.on_boundary = false;
+            c.found = true;
             for (int k = 0; k < m; ++k)
               {
                 c.free[k] = free[k];
@@ -244,6 +255,7 @@ namespace NPT
               }
             break;
           }
+        last = !gauss_newton && length <= length_last * scale;
 
         // Armijo backtracking along the projected path.
         double alpha    = 1;
@@ -266,30 +278,27 @@ namespace NPT
             evaluate_geometry(
               surface, positions, point, u_new, span_new, 2, trial);
             const double trial2 = trial.r.norm_square();
-            if (trial2 <= distance2 + 2e-4 * predicted ||
-                (length < 1e-7 * scale && trial2 <= distance2 * (1 + 1e-14)))
+            if (last ||
+                (predicted < 0 && trial2 <= distance2 + 2e-4 * predicted))
               {
                 u         = u_new;
                 span      = span_new;
-                c         = trial;
                 distance2 = trial2;
                 accepted  = true;
+                std::swap(c, trial);
               }
           }
         if (!accepted)
           {
-            // Round-off: the distance cannot be told apart any more.
-            if (length < 1e-6 * scale)
-              {
-                c.found = true;
-                for (int k = 0; k < m; ++k)
-                  c.free[k] = free[k];
-              }
-            break;
+            // Too near for comparing distances, too far for the last step
+            // (large coordinates): Newton's step is still the better guess.
+            if (gauss_newton || length > 1e-5 * scale)
+              break;
+            last = true;
           }
       }
     if (!c.found)
-      return c;
+      return;
 
     if (third_derivatives)
       evaluate_geometry(surface, positions, point, u, span, 3, c);
@@ -304,7 +313,7 @@ namespace NPT
       {
         c.normal = n;
         c.gap    = n * c.r;
-        return c;
+        return;
       }
 
     // Edge or corner. Beyond the boundary of the surface the point is outside
@@ -326,19 +335,20 @@ namespace NPT
       }
     c.normal = side * c.r / r;
     c.gap    = side * r;
-    return c;
   }
 
-  template ClosestPoint<2>
+  template void
   project(const ContactSurface<2> &,
           const std::vector<Point<2>> &,
           const Point<2> &,
           const std::array<double, 1> &,
-          const bool);
-  template ClosestPoint<3>
+          const bool,
+          ClosestPoint<2> &);
+  template void
   project(const ContactSurface<3> &,
           const std::vector<Point<3>> &,
           const Point<3> &,
           const std::array<double, 2> &,
-          const bool);
+          const bool,
+          ClosestPoint<3> &);
 } // namespace NPT

@@ -81,6 +81,7 @@ namespace NPT
       primaries_[s].update_positions(accepted, primary_positions_[s]);
     const ContactSearch<dim> search(primaries_, primary_positions_);
 
+    ClosestPoint<dim> c;
     for (unsigned int q = 0; q < points_.size(); ++q)
       {
         Point<dim>  x;
@@ -97,11 +98,12 @@ namespace NPT
           candidates.push_back(history_.closest[q]);
         for (const auto &candidate : candidates)
           {
-            const auto c = project(primaries_[candidate.surface],
-                                   primary_positions_[candidate.surface],
-                                   x,
-                                   candidate.u,
-                                   false);
+            project(primaries_[candidate.surface],
+                    primary_positions_[candidate.surface],
+                    x,
+                    candidate.u,
+                    false,
+                    c);
             if (!c.found)
               continue;
             const double distance =
@@ -130,19 +132,24 @@ namespace NPT
                                       ClosestPoint<dim> &closest) const
   {
     const unsigned int s = starts_[q].surface;
-    closest              = project(
-      primaries_[s], primary_positions_[s], x, starts_[q].u, friction_on_);
+    project(primaries_[s],
+            primary_positions_[s],
+            x,
+            starts_[q].u,
+            friction_on_,
+            closest);
     if (!closest.found)
       {
         // The warm start failed: search anew among the positions of now.
         const ContactSearch<dim> search(primaries_, primary_positions_);
         for (const auto &candidate : search.nearest(x, 4))
           {
-            closest = project(primaries_[candidate.surface],
-                              primary_positions_[candidate.surface],
-                              x,
-                              candidate.u,
-                              friction_on_);
+            project(primaries_[candidate.surface],
+                    primary_positions_[candidate.surface],
+                    x,
+                    candidate.u,
+                    friction_on_,
+                    closest);
             if (closest.found)
               {
                 closest.surface = candidate.surface;
@@ -174,9 +181,9 @@ namespace NPT
         const auto &shape = points_[q].shape;
         for (unsigned int l = 0; l < shape.lattice.size(); ++l)
           x += shape.value[l] * positions[shape.lattice[l]];
+        // Always from the start of the step: the answer must not depend on
+        // the states tried before.
         find_closest(x, q, closest_[q]);
-        starts_[q].surface = closest_[q].surface;
-        starts_[q].u       = closest_[q].u;
       }
 
     // What do the laws answer?

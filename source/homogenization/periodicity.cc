@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Couplings of a cell by orbits.
+// Couplings of a fabric cell.
 
 #include <npt_dealii/homogenization/periodicity.h>
 
@@ -9,132 +9,12 @@
 #include <boost/geometry/geometries/point.hpp>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace NPT
 {
   using dealii::Point;
   using dealii::Tensor;
   namespace bgi = boost::geometry::index;
-
-  OrbitConstraints::OrbitConstraints(const MacroUnknowns &macro)
-    : macro_(macro)
-    , fixed_(macro.first, false)
-    , value_(macro.first, Affine{})
-  {
-    for (unsigned int i = 0; i < macro.first; ++i)
-      parent_.push_back({i, 1., Affine{}});
-  }
-
-
-
-  OrbitConstraints::Representation
-  OrbitConstraints::representation(const unsigned int i) const
-  {
-    // Follow the chain to its root, composing signs and affine parts, and
-    // shorten it.
-    if (parent_[i].root != i)
-      {
-        const Representation up = representation(parent_[i].root);
-        if (parent_[i].root != up.root)
-          {
-            for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
-              parent_[i].affine[k] += parent_[i].sign * up.affine[k];
-            parent_[i].sign *= up.sign;
-            parent_[i].root = up.root;
-          }
-      }
-    return parent_[i];
-  }
-
-
-
-  void
-  OrbitConstraints::relate(const unsigned int i,
-                           const double       sign,
-                           const unsigned int j,
-                           const Affine &     affine,
-                           const std::string &name)
-  {
-    AssertIndexRange(i, macro_.first);
-    AssertIndexRange(j, macro_.first);
-    const Representation ri = representation(i), rj = representation(j);
-
-    // s_i X_i + a_i = sign (s_j X_j + a_j) + affine.
-    Affine difference; // everything known, moved to the right
-    for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
-      difference[k] = sign * rj.affine[k] + affine[k] - ri.affine[k];
-
-    const auto check = [&](const Affine &a, const Affine &b) {
-      for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
-        if (std::abs(a[k] - b[k]) > 1e-9 * (1 + std::abs(a[k])))
-          throw std::logic_error(
-            "The coupling '" + name +
-            "' contradicts the others: it would prescribe macro unknown " +
-            std::to_string(k) + ".");
-    };
-    const auto fix = [&](const unsigned int root, const Affine &value) {
-      if (fixed_[root])
-        check(value_[root], value);
-      fixed_[root] = true;
-      value_[root] = value;
-    };
-
-    if (ri.root == rj.root)
-      {
-        const double factor = ri.sign - sign * rj.sign;
-        if (factor == 0.)
-          check(difference, Affine{});
-        else
-          {
-            Affine value;
-            for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
-              value[k] = difference[k] / factor;
-            fix(ri.root, value);
-          }
-        return;
-      }
-
-    // X_i = s_i (sign s_j X_j + difference): hang i's root under j's.
-    Representation link{rj.root, ri.sign * sign * rj.sign, difference};
-    for (double &value : link.affine)
-      value *= ri.sign;
-    const bool   was_fixed = fixed_[ri.root];
-    const Affine old_value = value_[ri.root];
-    parent_[ri.root]       = link;
-    if (was_fixed)
-      {
-        Affine value;
-        for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
-          value[k] = (old_value[k] - link.affine[k]) / link.sign;
-        fix(rj.root, value);
-      }
-  }
-
-
-
-  void
-  OrbitConstraints::write(dealii::AffineConstraints<double> &constraints) const
-  {
-    for (unsigned int i = 0; i < macro_.first; ++i)
-      {
-        const Representation r = representation(i);
-        if (r.root == i && !fixed_[i])
-          continue;
-        constraints.add_line(i);
-        Affine affine = r.affine;
-        if (fixed_[r.root])
-          for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
-            affine[k] += r.sign * value_[r.root][k];
-        else
-          constraints.add_entry(i, r.root, r.sign);
-        for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
-          if (std::abs(affine[k]) > 1e-14)
-            constraints.add_entry(i, macro_.first + k, affine[k]);
-      }
-  }
-
-
 
   namespace
   {
@@ -194,7 +74,7 @@ namespace NPT
                  const std::vector<double> &height)
   {
     using Affine = OrbitConstraints::Affine;
-    OrbitConstraints  orbits(macro);
+    OrbitConstraints  orbits(macro.first, MacroUnknowns::n_macro);
     const PointFinder finder(cell, space);
 
     const auto position = [&](const unsigned int A) {
@@ -223,7 +103,7 @@ namespace NPT
                 for (unsigned int i = 0; i < 3; ++i)
                   {
                     // w(gY) = Q w(Y) + w_m(gY) - Q w_m(Y), mode by mode.
-                    Affine affine{};
+                    Affine affine(MacroUnknowns::n_macro, 0.);
                     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
                       if (mode_allowed[n])
                         affine[n] =
@@ -247,7 +127,7 @@ namespace NPT
             for (const unsigned int i : {0u, patch.n_control_points(0) - 1})
               for (unsigned int j = 0; j < patch.n_control_points(1); ++j)
                 {
-                  Affine affine{};
+                  Affine affine(MacroUnknowns::n_macro, 0.);
                   const unsigned int A =
                     space.control_point(b, patch.index({{i, j, (n - 1) / 2}}));
                   const unsigned int B =

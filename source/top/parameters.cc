@@ -56,6 +56,14 @@ namespace NPT
     declare_all(dealii::ParameterHandler &      prm,
                 const std::vector<std::string> &stages)
     {
+      prm.declare_entry("Problem",
+                        "plate test",
+                        Patterns::Selection(
+                          "plate test|material test|identification"),
+                        "What the program does: numerical plate testing of a "
+                        "woven cell, numerical material testing of a micro "
+                        "cell of fibers and matrix, or identification of a "
+                        "bundle law from test data.");
       CellParameters::declare_parameters(prm);
       MeshParameters::declare_parameters(prm);
       MaterialParameters::declare_parameters(prm);

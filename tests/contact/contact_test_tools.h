@@ -88,7 +88,9 @@ namespace ContactTests
             const std::array<double, dim - 1> &start,
             const bool                         third = false) const
     {
-      return NPT::project(surface, positions, x, start, third);
+      ClosestPoint<dim> c;
+      NPT::project(surface, positions, x, start, third, c);
+      return c;
     }
 
     Point<dim>

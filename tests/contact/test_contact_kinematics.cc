@@ -68,8 +68,17 @@ namespace
     auto positions = face.positions;
     for (unsigned int l = 0; l < positions.size(); ++l)
       positions[l] += h * motion.positions[l];
-    const auto result =
-      NPT::project(face.surface, positions, x + h * motion.point, c.u, true);
+    // From inside of the same span: in a ridge the two sides differ.
+    auto start = c.u;
+    for (unsigned int k = 0; k < start.size(); ++k)
+      {
+        const auto &breaks = face.iga_surface.knot_vector(k).breaks();
+        start[k] +=
+          0.01 * (0.5 * (breaks[c.span[k]] + breaks[c.span[k] + 1]) - c.u[k]);
+      }
+    ClosestPoint<dim> result;
+    NPT::project(
+      face.surface, positions, x + h * motion.point, start, true, result);
     REQUIRE(result.found);
     REQUIRE(result.free == c.free);
     return result;

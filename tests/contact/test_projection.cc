@@ -421,7 +421,7 @@ TEST_CASE("Degenerate input is reported as not found instead of hanging",
   face.positions.assign(positions.size(), Point<3>(0.1, 0.2, 0.3));
   CHECK(!face.project(Point<3>(1., 0., 0.), {{0.1, 0.1}}).found);
   face.positions    = positions;
-  face.positions[9] = Point<3>(nan, nan, nan);
+  face.positions[7] = Point<3>(nan, nan, nan);
   CHECK(!face.project(Point<3>(-0.5, -0.5, 0.), {{-0.5, -0.5}}).found);
 
   // A surface crumpled to a line still ends.

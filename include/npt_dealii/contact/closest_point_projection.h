@@ -60,16 +60,18 @@ namespace NPT
    * @param start Start parameters.
    * @param third_derivatives Compute x_third as well (needed by the tangent of
    *   friction only).
-   * @return The closest point; found = false if the iteration failed (then the
-   *   caller tries another start or gives up).
+   * @param result The closest point; found = false if the iteration failed
+   *   (then the caller tries another start or gives up). Member `surface` is
+   *   left to the caller.
    */
   template <int dim>
-  ClosestPoint<dim>
+  void
   project(const ContactSurface<dim> &            surface,
           const std::vector<dealii::Point<dim>> &positions,
           const dealii::Point<dim> &             point,
           const std::array<double, dim - 1> &    start,
-          const bool                             third_derivatives);
+          const bool                             third_derivatives,
+          ClosestPoint<dim> &                    result);
 } // namespace NPT
 
 #endif

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Reduction of relations by orbits.
+
+#include <npt_dealii/homogenization/orbit_constraints.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace NPT
+{
+  OrbitConstraints::OrbitConstraints(const unsigned int n_unknowns,
+                                     const unsigned int n_macro)
+    : n_macro_(n_macro)
+    , fixed_(n_unknowns, false)
+    , value_(n_unknowns)
+  {
+    for (unsigned int i = 0; i < n_unknowns; ++i)
+      parent_.push_back({i, 1., Affine(n_macro, 0.)});
+  }
+
+
+
+  OrbitConstraints::Representation
+  OrbitConstraints::representation(const unsigned int i) const
+  {
+    // Follow the chain to its root, composing signs and affine parts, and
+    // shorten it.
+    if (parent_[i].root != i)
+      {
+        const Representation up = representation(parent_[i].root);
+        if (parent_[i].root != up.root)
+          {
+            for (unsigned int k = 0; k < n_macro_; ++k)
+              parent_[i].affine[k] += parent_[i].sign * up.affine[k];
+            parent_[i].sign *= up.sign;
+            parent_[i].root = up.root;
+          }
+      }
+    return parent_[i];
+  }
+
+
+
+  void
+  OrbitConstraints::relate(const unsigned int i,
+                           const double       sign,
+                           const unsigned int j,
+                           const Affine &     affine,
+                           const std::string &name)
+  {
+    AssertIndexRange(i, parent_.size());
+    AssertDimension(affine.size(), n_macro_);
+    AssertIndexRange(j, parent_.size());
+    const Representation ri = representation(i), rj = representation(j);
+
+    // s_i X_i + a_i = sign (s_j X_j + a_j) + affine.
+    Affine difference(n_macro_); // everything known, moved to the right
+    for (unsigned int k = 0; k < n_macro_; ++k)
+      difference[k] = sign * rj.affine[k] + affine[k] - ri.affine[k];
+
+    const auto check = [&](const Affine &a, const Affine &b) {
+      for (unsigned int k = 0; k < n_macro_; ++k)
+        if (std::abs(a[k] - b[k]) > 1e-9 * (1 + std::abs(a[k])))
+          throw std::logic_error(
+            "The coupling '" + name +
+            "' contradicts the others: it would prescribe macro unknown " +
+            std::to_string(k) + ".");
+    };
+    const auto fix = [&](const unsigned int root, const Affine &value) {
+      if (fixed_[root])
+        check(value_[root], value);
+      fixed_[root] = true;
+      value_[root] = value;
+    };
+
+    if (ri.root == rj.root)
+      {
+        const double factor = ri.sign - sign * rj.sign;
+        if (factor == 0.)
+          check(difference, Affine(n_macro_, 0.));
+        else
+          {
+            Affine value(n_macro_);
+            for (unsigned int k = 0; k < n_macro_; ++k)
+              value[k] = difference[k] / factor;
+            fix(ri.root, value);
+          }
+        return;
+      }
+
+    // X_i = s_i (sign s_j X_j + difference): hang i's root under j's.
+    Representation link{rj.root, ri.sign * sign * rj.sign, difference};
+    for (double &value : link.affine)
+      value *= ri.sign;
+    const bool   was_fixed = fixed_[ri.root];
+    const Affine old_value = value_[ri.root];
+    parent_[ri.root]       = link;
+    if (was_fixed)
+      {
+        Affine value(n_macro_);
+        for (unsigned int k = 0; k < n_macro_; ++k)
+          value[k] = (old_value[k] - link.affine[k]) / link.sign;
+        fix(rj.root, value);
+      }
+  }
+
+
+
+  void
+  OrbitConstraints::write(dealii::AffineConstraints<double> &constraints) const
+  {
+    for (unsigned int i = 0; i < parent_.size(); ++i)
+      {
+        const Representation r = representation(i);
+        if (r.root == i && !fixed_[i])
+          continue;
+        constraints.add_line(i);
+        Affine affine = r.affine;
+        if (fixed_[r.root])
+          for (unsigned int k = 0; k < n_macro_; ++k)
+            affine[k] += r.sign * value_[r.root][k];
+        else
+          constraints.add_entry(i, r.root, r.sign);
+        for (unsigned int k = 0; k < n_macro_; ++k)
+          if (std::abs(affine[k]) > 1e-14)
+            constraints.add_entry(i, parent_.size() + k, affine[k]);
+      }
+  }
+} // namespace NPT
