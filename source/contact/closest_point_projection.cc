@@ -19,13 +19,13 @@ namespace NPT
     // Surface point and derivatives at u with the polynomial of a given span.
     template <int dim>
     void
-    evaluate_geometry(const ContactSurface<dim> &    surface,
-                      const std::vector<Point<dim>> &positions,
-                      const Point<dim> &             point,
+    evaluate_geometry(const ContactSurface<dim>         &surface,
+                      const std::vector<Point<dim>>     &positions,
+                      const Point<dim>                  &point,
                       const std::array<double, dim - 1> &u,
-                      const Span<dim - 1> &          span,
-                      const unsigned int             n_derivatives,
-                      ClosestPoint<dim> &            c)
+                      const Span<dim - 1>               &span,
+                      const unsigned int                 n_derivatives,
+                      ClosestPoint<dim>                 &c)
     {
       constexpr int m = dim - 1;
       surface.surface().evaluate(u, n_derivatives, c.shape, &span);
@@ -55,24 +55,10 @@ namespace NPT
       c.r = point - x;
     }
 
-    // Interval of parameters around a span over which the surface is C1.
-    std::pair<double, double>
-    smooth_piece(const KnotVector &knots, const unsigned int span)
-    {
-      const auto & breaks = knots.breaks();
-      unsigned int begin = span, end = span + 1;
-      while (begin > 0 && knots.multiplicity(breaks[begin]) < knots.degree())
-        --begin;
-      while (end + 1 < breaks.size() &&
-             knots.multiplicity(breaks[end]) < knots.degree())
-        ++end;
-      return {breaks[begin], breaks[end]};
-    }
-
     // Span of the piece [low, high] that contains u; at the upper end of the
     // piece the last span of the piece, not the first of the next one.
     unsigned int
-    span_in_piece(const KnotVector &               knots,
+    span_in_piece(const KnotVector                &knots,
                   const std::pair<double, double> &piece,
                   const double                     u)
     {
@@ -84,7 +70,7 @@ namespace NPT
 
     template <int dim>
     Tensor<1, dim>
-    unit_normal(const ContactSurface<dim> &               surface,
+    unit_normal(const ContactSurface<dim>                 &surface,
                 const std::array<Tensor<1, dim>, dim - 1> &a)
     {
       Tensor<1, dim> n;
@@ -100,14 +86,14 @@ namespace NPT
 
   template <int dim>
   void
-  project(const ContactSurface<dim> &        surface,
-          const std::vector<Point<dim>> &    positions,
-          const Point<dim> &                 point,
+  project(const ContactSurface<dim>         &surface,
+          const std::vector<Point<dim>>     &positions,
+          const Point<dim>                  &point,
           const std::array<double, dim - 1> &start,
           const bool                         third_derivatives,
-          ClosestPoint<dim> &                c)
+          ClosestPoint<dim>                 &c)
   {
-    constexpr int          m = dim - 1;
+    constexpr int          m    = dim - 1;
     const IGASurface<dim> &face = surface.surface();
 
     std::array<std::pair<double, double>, m> domain, piece;
@@ -119,7 +105,7 @@ namespace NPT
         domain[k] = {knots.breaks().front(), knots.breaks().back()};
         u[k]      = std::min(std::max(u[k], domain[k].first), domain[k].second);
         span[k]   = knots.find_span(u[k]);
-        piece[k]  = smooth_piece(knots, span[k]);
+        piece[k]  = surface.smooth_piece(k, span[k]);
       }
 
     // Its vectors are kept between calls: allocation would cost more than the
@@ -128,8 +114,8 @@ namespace NPT
     c.found       = false;
     c.on_boundary = false;
     evaluate_geometry(surface, positions, point, u, span, 2, c);
-    double       distance2   = c.r.norm_square();
-    unsigned int n_changes   = 0;
+    double       distance2 = c.r.norm_square();
+    unsigned int n_changes = 0;
     // Newton's step below this part of the size doubles its digits: the next
     // point is exact to rounding, and comparing distances means nothing there.
     const double length_last = 1e-8;
@@ -146,8 +132,8 @@ namespace NPT
             metric[k]          = c.a[k].norm_square();
             const bool at_low  = u[k] <= piece[k].first;
             const bool at_high = u[k] >= piece[k].second;
-            free[k]            = !((at_low && gradient[k] > 0) ||
-                        (at_high && gradient[k] < 0));
+            free[k] =
+              !((at_low && gradient[k] > 0) || (at_high && gradient[k] < 0));
             // A direction without extent (or not a number).
             const double width = domain[k].second - domain[k].first;
             if (!(metric[k] * width * width > 1e-24 * distance2))
@@ -207,8 +193,8 @@ namespace NPT
           if (free[k])
             {
               decrement -= gradient[k] * step[k];
-              length = std::max(length, std::abs(step[k]) *
-                                          std::sqrt(metric[k]));
+              length =
+                std::max(length, std::abs(step[k]) * std::sqrt(metric[k]));
             }
         const double scale = std::sqrt(distance2) + std::sqrt(metric[0]);
 
@@ -220,8 +206,7 @@ namespace NPT
             for (int k = 0; k < m && !changed; ++k)
               if (!free[k] && n_changes < 40)
                 {
-                  const KnotVector &knots = face.knot_vector(k);
-                  const bool        high  = u[k] >= piece[k].second;
+                  const bool high = u[k] >= piece[k].second;
                   if ((high && u[k] >= domain[k].second) ||
                       (!high && u[k] <= domain[k].first))
                     continue;
@@ -235,7 +220,7 @@ namespace NPT
                   if ((high && slope < -size) || (!high && slope > size))
                     {
                       span     = other;
-                      piece[k] = smooth_piece(knots, span[k]);
+                      piece[k] = surface.smooth_piece(k, span[k]);
                       std::swap(c, trial);
                       ++n_changes;
                       changed = true;
@@ -249,8 +234,8 @@ namespace NPT
             for (int k = 0; k < m; ++k)
               {
                 c.free[k] = free[k];
-                if (!free[k] && (u[k] <= domain[k].first ||
-                                 u[k] >= domain[k].second))
+                if (!free[k] &&
+                    (u[k] <= domain[k].first || u[k] >= domain[k].second))
                   c.on_boundary = true;
               }
             break;
@@ -268,9 +253,9 @@ namespace NPT
             double                predicted = 0;
             for (int k = 0; k < m; ++k)
               {
-                u_new[k] = std::min(std::max(u[k] + alpha * step[k],
-                                             piece[k].first),
-                                    piece[k].second);
+                u_new[k] =
+                  std::min(std::max(u[k] + alpha * step[k], piece[k].first),
+                           piece[k].second);
                 span_new[k] =
                   span_in_piece(face.knot_vector(k), piece[k], u_new[k]);
                 predicted += gradient[k] * (u_new[k] - u[k]);

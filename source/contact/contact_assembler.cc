@@ -17,12 +17,12 @@ namespace NPT
 
   template <int dim>
   ContactAssembler<dim>::ContactAssembler(
-    const ContactSurface<dim> &             secondary,
+    const ContactSurface<dim>              &secondary,
     const std::vector<ContactSurface<dim>> &primaries,
-    const ContactParameters &               contact,
-    const FrictionParameters &              friction,
+    const ContactParameters                &contact,
+    const FrictionParameters               &friction,
     const double                            maximum_penetration,
-    const Multiplicity &                    multiplicity)
+    const Multiplicity                     &multiplicity)
     : secondary_(secondary)
     , primaries_(primaries)
     , contact_(contact)
@@ -91,7 +91,7 @@ namespace NPT
 
         // Of the candidates on the near side the closest one wins; a point
         // behind the body may look closer but belongs to the far side.
-        double best    = std::numeric_limits<double>::max();
+        double best      = std::numeric_limits<double>::max();
         starts_[q].known = false;
         auto candidates  = search.nearest(x, 3);
         if (history_.closest[q].known)
@@ -127,7 +127,7 @@ namespace NPT
 
   template <int dim>
   void
-  ContactAssembler<dim>::find_closest(const Point<dim> & x,
+  ContactAssembler<dim>::find_closest(const Point<dim>  &x,
                                       const unsigned int q,
                                       ClosestPoint<dim> &closest) const
   {
@@ -194,12 +194,12 @@ namespace NPT
     for (unsigned int I = 0; I < nodes_.size(); ++I)
       {
         const auto &node  = averaging_.nodes()[I];
-        NodeState & state = nodes_[I];
+        NodeState  &state = nodes_[I];
         state             = NodeState();
         for (const auto &entry : node.entries)
-          state.gap += entry.weight * (usable(entry.point) ?
-                                         closest_[entry.point].gap :
-                                         maximum_penetration_);
+          state.gap +=
+            entry.weight * (usable(entry.point) ? closest_[entry.point].gap :
+                                                  maximum_penetration_);
         const auto answer = normal_law(state.gap, history_.multiplier[I]);
         state.active      = answer.active;
         state.pressure    = answer.pressure;
@@ -225,8 +225,10 @@ namespace NPT
                   for (int a = 0; a < m; ++a)
                     state.slip[a] += entry.weight * (c.u[a] - reference.u[a]);
               }
-            state.friction = friction_law_(
-              history_.traction[I], state.slip, metric, -state.pressure);
+            state.friction = friction_law_(history_.traction[I],
+                                           state.slip,
+                                           metric,
+                                           -state.pressure);
             state.slipping = state.friction.slipping;
           }
 
@@ -250,12 +252,12 @@ namespace NPT
   template <int dim>
   void
   ContactAssembler<dim>::point_functions(const unsigned int q,
-                                         PointFunctions &   functions) const
+                                         PointFunctions    &functions) const
   {
-    const auto &             s       = points_[q].shape;
+    const auto              &s       = points_[q].shape;
     const ClosestPoint<dim> &c       = closest_[q];
-    const auto &             primary = primaries_[c.surface];
-    const unsigned int       n_s = s.lattice.size(), n_m = c.shape.lattice.size();
+    const auto              &primary = primaries_[c.surface];
+    const unsigned int n_s = s.lattice.size(), n_m = c.shape.lattice.size();
 
     functions.dofs.resize(n_s + n_m);
     for (auto &values : functions.jet)
@@ -296,8 +298,8 @@ namespace NPT
         if (friction_on_)
           for (int a = 0; a < m; ++a)
             for (unsigned int k = 0; k < row.size(); ++k)
-              row[k] += point_traction_[q][a] *
-                        kinematics.parameter_variation(a)[k];
+              row[k] +=
+                point_traction_[q][a] * kinematics.parameter_variation(a)[k];
 
         point_functions(q, functions);
         for (unsigned int A = 0; A < functions.dofs.size(); ++A)
@@ -319,14 +321,16 @@ namespace NPT
     constexpr unsigned int n_jets = Kinematics::n_jets;
     constexpr unsigned int n_rows = 1 + m + Kinematics::n_metric;
     const unsigned int     n_used = friction_on_ ? n_rows : 1;
-    const bool             mortar = contact_.method == "mortar";
+    // Second variations meet J_ab only where a traction acts.
+    const unsigned int n_used_jets = friction_on_ ? n_jets : 1 + m;
+    const bool         mortar      = contact_.method == "mortar";
 
     // Variations at the loaded points, carried to the control points. Row 0
     // is the gap, then the parameters, then the metric.
     struct PointRows
     {
-      std::vector<unsigned int>                dofs;
-      std::array<std::vector<double>, n_rows>  rows;
+      std::vector<unsigned int>               dofs;
+      std::array<std::vector<double>, n_rows> rows;
     };
     std::vector<PointRows> point_rows(mortar ? points_.size() : 0);
 
@@ -342,10 +346,10 @@ namespace NPT
                 closest_[q].shape.lattice[0]}]
           .push_back(q);
 
-    PointFunctions                                  functions;
+    PointFunctions                                    functions;
     std::array<double, Kinematics::n * Kinematics::n> M;
-    std::vector<double>                             block, half;
-    std::vector<unsigned int>                       dofs;
+    std::vector<double>                               block, half;
+    std::vector<unsigned int>                         dofs;
     for (const auto &group : groups)
       {
         block.clear();
@@ -395,7 +399,7 @@ namespace NPT
                 // A node that is a single point: everything stays on the jets.
                 const NodeState &state = nodes_[q];
                 const double W = multiplicity_[q] * averaging_.nodes()[q].area;
-                const auto & g = kinematics.gap_variation();
+                const auto  &g = kinematics.gap_variation();
                 for (unsigned int k = 0; k < g.size(); ++k)
                   for (unsigned int l = 0; l < g.size(); ++l)
                     M[k * g.size() + l] += W * state.slope * g[k] * g[l];
@@ -405,11 +409,11 @@ namespace NPT
                       typename Kinematics::Row right;
                       for (unsigned int k = 0; k < g.size(); ++k)
                         {
-                          right[k] = -state.friction.by_pressure[a] *
-                                     state.slope * g[k];
+                          right[k] =
+                            -state.friction.by_pressure[a] * state.slope * g[k];
                           for (int b = 0; b < m; ++b)
-                            right[k] += state.friction.by_slip[a][b] *
-                                        row_of(1 + b)[k];
+                            right[k] +=
+                              state.friction.by_slip[a][b] * row_of(1 + b)[k];
                           for (unsigned int c = 0; c < Kinematics::n_metric;
                                ++c)
                             right[k] += state.friction.by_metric[a][c] *
@@ -424,8 +428,8 @@ namespace NPT
 
             // block += N^T M N with N the jet values of the functions.
             half.assign(Kinematics::n * n, 0.);
-            for (unsigned int k = 0; k < Kinematics::n; ++k)
-              for (unsigned int h = 0; h < n_jets; ++h)
+            for (unsigned int k = 0; k < dim * n_used_jets; ++k)
+              for (unsigned int h = 0; h < n_used_jets; ++h)
                 for (unsigned int B = 0; B < n_functions; ++B)
                   {
                     const double N = functions.jet[h][B];
@@ -434,7 +438,7 @@ namespace NPT
                         half[k * n + B * dim + j] +=
                           M[k * Kinematics::n + h * dim + j] * N;
                   }
-            for (unsigned int f = 0; f < n_jets; ++f)
+            for (unsigned int f = 0; f < n_used_jets; ++f)
               for (unsigned int A = 0; A < n_functions; ++A)
                 {
                   const double N = functions.jet[f][A];
@@ -442,7 +446,7 @@ namespace NPT
                     for (unsigned int i = 0; i < dim; ++i)
                       {
                         const double *source = &half[(f * dim + i) * n];
-                        double *      target = &block[(A * dim + i) * n];
+                        double       *target = &block[(A * dim + i) * n];
                         for (unsigned int l = 0; l < n; ++l)
                           target[l] += N * source[l];
                       }
@@ -455,27 +459,36 @@ namespace NPT
 
     // 2. Terms that couple all points of a node: products of the averaged
     // first variations.
-    std::map<unsigned int, unsigned int>       slot;
-    std::array<std::vector<double>, n_rows>    average;
-    std::array<std::vector<double>, 1 + m>     right;
+    // Position of each first unknown in the block of a node; a flat table,
+    // since it is read for every function of every point.
+    constexpr unsigned int no_slot = dealii::numbers::invalid_unsigned_int;
+    unsigned int           n_table = 0;
+    for (const PointRows &rows : point_rows)
+      for (const unsigned int dof : rows.dofs)
+        n_table = std::max(n_table, dof + 1);
+    std::vector<unsigned int>               slot(n_table, no_slot);
+    std::array<std::vector<double>, n_rows> average;
+    std::array<std::vector<double>, 1 + m>  right;
     for (unsigned int I = 0; I < nodes_.size(); ++I)
       {
         const NodeState &state = nodes_[I];
-        const auto &     node  = averaging_.nodes()[I];
+        const auto      &node  = averaging_.nodes()[I];
         const double     W     = multiplicity_[I] * node.area;
         if (!state.active || W == 0.)
           continue;
 
-        slot.clear();
+        std::fill(slot.begin(), slot.end(), no_slot);
+        dofs.clear();
         for (const auto &entry : node.entries)
           if (usable(entry.point))
             for (const unsigned int dof : point_rows[entry.point].dofs)
-              slot.emplace(dof, slot.size());
-        const unsigned int n = dim * slot.size();
-        dofs.resize(n);
-        for (const auto &s : slot)
-          for (unsigned int i = 0; i < dim; ++i)
-            dofs[dim * s.second + i] = s.first + i;
+              if (slot[dof] == no_slot)
+                {
+                  slot[dof] = dofs.size();
+                  for (unsigned int i = 0; i < dim; ++i)
+                    dofs.push_back(dof + i);
+                }
+        const unsigned int n = dofs.size();
 
         for (unsigned int r = 0; r < n_used; ++r)
           average[r].assign(n, 0.);
@@ -485,7 +498,7 @@ namespace NPT
               const PointRows &rows = point_rows[entry.point];
               for (unsigned int A = 0; A < rows.dofs.size(); ++A)
                 {
-                  const unsigned int at = dim * slot[rows.dofs[A]];
+                  const unsigned int at = slot[rows.dofs[A]];
                   for (unsigned int r = 0; r < n_used; ++r)
                     for (unsigned int i = 0; i < dim; ++i)
                       average[r][at + i] +=
@@ -516,7 +529,7 @@ namespace NPT
         block.resize(n * n);
         for (unsigned int k = 0; k < n; ++k)
           {
-            double *     target = &block[k * n];
+            double      *target = &block[k * n];
             const double left   = average[0][k];
             for (unsigned int l = 0; l < n; ++l)
               target[l] = left * right[0][l];
@@ -591,7 +604,7 @@ namespace NPT
     Summary result;
     for (unsigned int I = 0; I < nodes_.size(); ++I)
       {
-        const NodeState &  state = nodes_[I];
+        const NodeState   &state = nodes_[I];
         const unsigned int k     = multiplicity_[I];
         const double       W     = k * averaging_.nodes()[I].area;
         result.energy += W * state.energy;

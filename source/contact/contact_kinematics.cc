@@ -3,6 +3,8 @@
 
 #include <npt_dealii/contact/contact_kinematics.h>
 
+#include <cmath>
+
 namespace NPT
 {
   using dealii::Tensor;
@@ -25,7 +27,7 @@ namespace NPT
 
     template <int dim, typename Row>
     void
-    add_dot(Row &                 row,
+    add_dot(Row                  &row,
             const unsigned int    offset,
             const Tensor<1, dim> &v,
             const double          factor)
@@ -110,8 +112,8 @@ namespace NPT
           row.fill(0.);
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int k = 0; k < n; ++k)
-              row[k] += c.a[a][i] * tangent_[b][i][k] +
-                        c.a[b][i] * tangent_[a][i][k];
+              row[k] +=
+                c.a[a][i] * tangent_[b][i][k] + c.a[b][i] * tangent_[a][i][k];
         }
   }
 
@@ -122,7 +124,7 @@ namespace NPT
   ContactKinematics<dim>::add_second_variation(
     const double                 pressure,
     const std::array<double, m> &traction,
-    std::array<double, n * n> &  M) const
+    std::array<double, n * n>   &M) const
   {
     using Indices = SymmetricIndices<m>;
 
@@ -197,8 +199,10 @@ namespace NPT
         for (int a = 0; a < m; ++a)
           for (int b = 0; b < m; ++b)
             if (inverse[a][b] != 0.)
-              add_symmetric(
-                M, w[a], w[b], 0.5 * pressure * c_.gap * inverse[a][b]);
+              add_symmetric(M,
+                            w[a],
+                            w[b],
+                            0.5 * pressure * c_.gap * inverse[a][b]);
 
         if (!all_free && std::abs(c_.gap) > 1e-12)
           {

@@ -11,7 +11,7 @@ namespace NPT
 
   template <int dim>
   ContactSearch<dim>::ContactSearch(
-    const std::vector<ContactSurface<dim>> &    surfaces,
+    const std::vector<ContactSurface<dim>>     &surfaces,
     const std::vector<std::vector<Point<dim>>> &positions)
   {
     constexpr int m = dim - 1;
@@ -35,11 +35,11 @@ namespace NPT
             unsigned int rest = i;
             for (int k = 0; k < m; ++k)
               {
-                const auto &       breaks = face.knot_vector(k).breaks();
+                const auto        &breaks = face.knot_vector(k).breaks();
                 const unsigned int n      = n_samples * (breaks.size() - 1);
                 const unsigned int e      = (rest % n) / n_samples;
-                const double       t = ((rest % n) % n_samples + 0.5) / n_samples;
-                start.u[k] = breaks[e] + t * (breaks[e + 1] - breaks[e]);
+                const double t = ((rest % n) % n_samples + 0.5) / n_samples;
+                start.u[k]     = breaks[e] + t * (breaks[e + 1] - breaks[e]);
                 rest /= n;
               }
             face.evaluate(start.u, 0, shape);
@@ -57,7 +57,7 @@ namespace NPT
 
   template <int dim>
   std::vector<ProjectionStart<dim>>
-  ContactSearch<dim>::nearest(const Point<dim> & point,
+  ContactSearch<dim>::nearest(const Point<dim>  &point,
                               const unsigned int n) const
   {
     std::vector<Entry> found;

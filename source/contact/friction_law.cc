@@ -10,8 +10,8 @@ namespace NPT
 {
   template <int m>
   typename FrictionLaw<m>::Answer
-  FrictionLaw<m>::operator()(const std::array<double, m> &       traction_n,
-                             const std::array<double, m> &       slip,
+  FrictionLaw<m>::operator()(const std::array<double, m>        &traction_n,
+                             const std::array<double, m>        &slip,
                              const std::array<double, n_metric> &metric,
                              const double                        pressure) const
   {
@@ -91,8 +91,9 @@ namespace NPT
           answer.by_slip[i][j] =
             factor * (answer.by_slip[i][j] - trial[i] * norm_by_slip[j] / norm);
         for (unsigned int k = 0; k < n_metric; ++k)
-          answer.by_metric[i][k] = factor * (answer.by_metric[i][k] -
-                                             trial[i] * norm_by_metric[k] / norm);
+          answer.by_metric[i][k] =
+            factor *
+            (answer.by_metric[i][k] - trial[i] * norm_by_metric[k] / norm);
       }
     return answer;
   }

@@ -157,8 +157,7 @@ namespace ContactTests
     const KnotVector folded(2, {-1, -1, -1, 0, 0, 1, 1, 1});
     const Map<dim>   map = [slope](const Point<dim> &u) {
       Point<dim> x = u;
-      x[dim - 1] =
-        u[dim - 1] - 1. - slope * std::abs(u[0]) - 0.2 * u[0] * u[0];
+      x[dim - 1] = u[dim - 1] - 1. - slope * std::abs(u[0]) - 0.2 * u[0] * u[0];
       return x;
     };
     if constexpr (dim == 2)

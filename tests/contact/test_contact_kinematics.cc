@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tests of the variations of gap, closest point and metric by differences.
 
-#include "contact_test_tools.h"
-
 #include <npt_dealii/contact/contact_kinematics.h>
+
+#include "contact_test_tools.h"
 
 using namespace ContactTests;
 using NPT::ContactKinematics;
@@ -91,7 +91,7 @@ namespace
                    const std::array<double, dim - 1> &start,
                    const std::array<bool, dim - 1>   &free)
   {
-    constexpr int m = dim - 1;
+    constexpr int m  = dim - 1;
     using Kinematics = ContactKinematics<dim>;
     const auto c     = face.project(x, start, true);
     REQUIRE(c.found);
@@ -103,9 +103,9 @@ namespace
     const auto        jets_d = jets_of(c, d), jets_e = jets_of(c, e);
 
     // Central differences: error h^2 plus 1e-16/h.
-    const double h    = 1e-5;
-    const auto   plus = moved(face, x, c, d, h), minus = moved(face, x, c, d, -h);
-    const auto   check = [h](const double p, const double m_, const double v) {
+    const double h  = 1e-5;
+    const auto plus = moved(face, x, c, d, h), minus = moved(face, x, c, d, -h);
+    const auto check = [h](const double p, const double m_, const double v) {
       CHECK(std::abs((p - m_) / (2 * h) - v) < 1e-8 * (1 + std::abs(v)));
     };
     check(plus.gap, minus.gap, dot(kinematics.gap_variation(), jets_d));
@@ -128,7 +128,7 @@ namespace
     for (int a = 0; a < m; ++a)
       traction[a] = 0.7 - 1.6 * a;
     const Kinematics at_plus(plus), at_minus(minus);
-    const auto       jets_plus = jets_of(plus, e), jets_minus = jets_of(minus, e);
+    const auto jets_plus = jets_of(plus, e), jets_minus = jets_of(minus, e);
     for (const bool with_traction : {false, true})
       for (const double pressure : {0., -1.3})
         {
@@ -172,7 +172,10 @@ TEST_CASE("Variations of gap, closest point and metric are derivatives: inside "
         return face.value(u) + gap * on.normal;
       };
       for (const Face<2> *line : {&line2, &line3})
-        check_variations<2>(*line, above(*line, std::array<double, 1>{{0.3}}), {{0.3}}, {{true}});
+        check_variations<2>(*line,
+                            above(*line, std::array<double, 1>{{0.3}}),
+                            {{0.3}},
+                            {{true}});
       const std::array<double, 2> u = {{-0.2, 0.3}};
       for (const Face<3> *face : {&face2, &face3})
         check_variations<3>(*face, above(*face, u), u, {{true, true}});
@@ -188,9 +191,18 @@ TEST_CASE("Variations are derivatives beside the edges and corners of a "
   const Face<2> line(wavy_slab<2>(), 1, 1);
   check_variations<2>(line, Point<2>(1.2, 0.4), {{0.9}}, {{false}});
   const Face<3> face(wavy_slab<3>(3), 2, 1);
-  check_variations<3>(face, Point<3>(1.4, 0.1, 0.3), {{0.9, 0.}}, {{false, true}});
-  check_variations<3>(face, Point<3>(0.1, -1.3, -0.4), {{0., -0.9}}, {{true, false}});
-  check_variations<3>(face, Point<3>(1.4, -1.3, 0.3), {{0.9, -0.9}}, {{false, false}});
+  check_variations<3>(face,
+                      Point<3>(1.4, 0.1, 0.3),
+                      {{0.9, 0.}},
+                      {{false, true}});
+  check_variations<3>(face,
+                      Point<3>(0.1, -1.3, -0.4),
+                      {{0., -0.9}},
+                      {{true, false}});
+  check_variations<3>(face,
+                      Point<3>(1.4, -1.3, 0.3),
+                      {{0.9, -0.9}},
+                      {{false, false}});
 }
 
 
@@ -203,6 +215,12 @@ TEST_CASE("Variations are derivatives in the normal cone of a ridge and of a "
   check_variations<2>(ridge, Point<2>(0.05, 0.3), {{-0.4}}, {{false}});
   check_variations<2>(valley, Point<2>(0.05, -0.3), {{-0.4}}, {{false}});
   const Face<3> ridge3(roof<3>(0.5), 2, 1), valley3(roof<3>(-0.5), 2, 1);
-  check_variations<3>(ridge3, Point<3>(0.05, 0.1, 0.3), {{-0.4, 0.3}}, {{false, true}});
-  check_variations<3>(valley3, Point<3>(0.05, 0.1, -0.3), {{-0.4, 0.3}}, {{false, true}});
+  check_variations<3>(ridge3,
+                      Point<3>(0.05, 0.1, 0.3),
+                      {{-0.4, 0.3}},
+                      {{false, true}});
+  check_variations<3>(valley3,
+                      Point<3>(0.05, 0.1, -0.3),
+                      {{-0.4, 0.3}},
+                      {{false, true}});
 }

@@ -44,7 +44,7 @@ TEST_CASE("Pressure and slope of the normal law are derivatives of its energy",
   for (const double multiplier : {0., -1.5})
     for (const double gap : {-0.03, -0.001, 0.005, 0.03})
       {
-        const double h = 1e-5; // quadratic energy: only rounding is left
+        const double h  = 1e-5; // quadratic energy: only rounding is left
         const auto   at = law(gap, multiplier);
         CHECK(std::abs((law(gap + h, multiplier).energy -
                         law(gap - h, multiplier).energy) /
@@ -93,7 +93,8 @@ TEST_CASE("One point sticks, slips and sticks again on reversal, by hand",
   // Less pressure: the same elastic slip is too much; none: no traction.
   CHECK(law({{2.}}, {{0.}}, {{1.}}, 5.).traction[0] == Approx(1.5));
   CHECK(law({{2.}}, {{0.1}}, {{1.}}, 0.).traction[0] == 0.);
-  CHECK(FrictionLaw<1>{0., 100.}({{2.}}, {{0.1}}, {{1.}}, 9.).traction[0] == 0.);
+  CHECK(FrictionLaw<1>{0., 100.}({{2.}}, {{0.1}}, {{1.}}, 9.).traction[0] ==
+        0.);
 
   // A parameter of 2 mm per unit: slip 0.01 is 0.02 mm, t_1 = 2 MPa * 2 mm.
   CHECK(law({{0.}}, {{0.01}}, {{4.}}, 10.).traction[0] == Approx(4.));
@@ -156,15 +157,15 @@ TEST_CASE("Dissipation is never negative and is the work that is not stored",
   unsigned int                           n_slip = 0;
   for (unsigned int step = 0; step < 200; ++step)
     {
-      const Vector2 slip = {{0.02 * unit(generator), 0.02 * unit(generator)}};
+      const Vector2 slip   = {{0.02 * unit(generator), 0.02 * unit(generator)}};
       const auto    answer = law(traction, slip, metric, 2.);
       CHECK(answer.dissipation >= 0.);
       // Backward Euler: traction at the end times slip exceeds the exact work
       // by the elastic term of second order, |t - t_n|^2 / (2 eps).
-      const double  work = answer.traction[0] * slip[0] +
-                          answer.traction[1] * slip[1];
-      const Vector2 change = {{answer.traction[0] - traction[0],
-                               answer.traction[1] - traction[1]}};
+      const double work =
+        answer.traction[0] * slip[0] + answer.traction[1] * slip[1];
+      const Vector2 change = {
+        {answer.traction[0] - traction[0], answer.traction[1] - traction[1]}};
       CHECK(std::abs(work - (answer.energy - energy) - answer.dissipation -
                      product(change, change, metric) / 160.) < 1e-14);
       CHECK(std::sqrt(product(answer.traction, answer.traction, metric)) <=
@@ -185,21 +186,21 @@ TEST_CASE("Friction does not depend on the coordinates of the surface",
           "[contact]")
 {
   const FrictionLaw<2> law{0.3, 50.};
-  const Metric2        a = {{1.3, 0.4, 0.7}};
+  const Metric2        a          = {{1.3, 0.4, 0.7}};
   const Vector2        traction_n = {{0.4, -0.7}}, slip = {{0.03, -0.05}};
   // New coordinates xi' = B xi: slip' = B slip, and with C the inverse of B
   // covariant components t' = C^T t, metric a' = C^T a C.
-  const double  B[2][2] = {{1.2, -0.7}, {0.4, 0.9}};
-  const double  det     = B[0][0] * B[1][1] - B[0][1] * B[1][0];
-  const double  C[2][2] = {{B[1][1] / det, -B[0][1] / det},
-                           {-B[1][0] / det, B[0][0] / det}};
-  const auto    covariant = [&](const Vector2 &t) {
-    return Vector2{{C[0][0] * t[0] + C[1][0] * t[1],
-                    C[0][1] * t[0] + C[1][1] * t[1]}};
+  const double B[2][2]   = {{1.2, -0.7}, {0.4, 0.9}};
+  const double det       = B[0][0] * B[1][1] - B[0][1] * B[1][0];
+  const double C[2][2]   = {{B[1][1] / det, -B[0][1] / det},
+                            {-B[1][0] / det, B[0][0] / det}};
+  const auto   covariant = [&](const Vector2 &t) {
+    return Vector2{
+      {C[0][0] * t[0] + C[1][0] * t[1], C[0][1] * t[0] + C[1][1] * t[1]}};
   };
   const Vector2 new_slip = {{B[0][0] * slip[0] + B[0][1] * slip[1],
                              B[1][0] * slip[0] + B[1][1] * slip[1]}};
-  Metric2       new_a = {};
+  Metric2       new_a    = {};
   for (unsigned int i = 0; i < 2; ++i)
     for (unsigned int j = i; j < 2; ++j)
       for (unsigned int k = 0; k < 2; ++k)

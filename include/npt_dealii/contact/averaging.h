@@ -49,7 +49,7 @@ namespace NPT
         for (unsigned int l = 0; l < points[q].averaging.lattice.size(); ++l)
           {
             const double w = points[q].averaging.value[l] * points[q].area;
-            Node &       I = nodes[points[q].averaging.lattice[l]];
+            Node        &I = nodes[points[q].averaging.lattice[l]];
             I.area += w;
             I.entries.push_back({q, w});
           }

@@ -23,28 +23,28 @@ namespace NPT
   {
     static constexpr int m = dim - 1;
 
-    bool                          found = false;
-    unsigned int                  surface = 0; ///< which primary surface
-    std::array<double, m>         u;           ///< parameters xi-bar
-    std::array<unsigned int, m>   span;        ///< polynomial piece used
-    std::array<bool, m>           free;        ///< orthogonal direction
-    bool                          on_boundary = false; ///< of the surface
-    double                        gap         = 0; ///< (9) [mm], > 0 open
-    dealii::Tensor<1, dim>        normal; ///< unit; gap = normal . r
-    dealii::Tensor<1, dim>        r;      ///< x^s - x^m
-    std::array<dealii::Tensor<1, dim>, m> a; ///< tangents a_alpha
+    bool                        found   = false;
+    unsigned int                surface = 0;         ///< which primary surface
+    std::array<double, m>       u;                   ///< parameters xi-bar
+    std::array<unsigned int, m> span;                ///< polynomial piece used
+    std::array<bool, m>         free;                ///< orthogonal direction
+    bool                        on_boundary = false; ///< of the surface
+    double                      gap         = 0;     ///< (9) [mm], > 0 open
+    dealii::Tensor<1, dim>      normal;              ///< unit; gap = normal . r
+    dealii::Tensor<1, dim>      r;                   ///< x^s - x^m
+    std::array<dealii::Tensor<1, dim>, m> a;         ///< tangents a_alpha
     std::array<dealii::Tensor<1, dim>, SymmetricIndices<m>::n_second> x_second;
     std::array<dealii::Tensor<1, dim>, SymmetricIndices<m>::n_third>  x_third;
-    SurfaceShape<m>               shape; ///< functions, up to third order
+    SurfaceShape<m> shape; ///< functions, up to third order
   };
 
   /// Start value of a projection.
   template <int dim>
   struct ProjectionStart
   {
-    bool                            known = false;
-    unsigned int                    surface = 0;
-    std::array<double, dim - 1>     u;
+    bool                        known   = false;
+    unsigned int                surface = 0;
+    std::array<double, dim - 1> u;
   };
 
   /**
@@ -66,12 +66,12 @@ namespace NPT
    */
   template <int dim>
   void
-  project(const ContactSurface<dim> &            surface,
+  project(const ContactSurface<dim>             &surface,
           const std::vector<dealii::Point<dim>> &positions,
-          const dealii::Point<dim> &             point,
-          const std::array<double, dim - 1> &    start,
+          const dealii::Point<dim>              &point,
+          const std::array<double, dim - 1>     &start,
           const bool                             third_derivatives,
-          ClosestPoint<dim> &                    result);
+          ClosestPoint<dim>                     &result);
 } // namespace NPT
 
 #endif

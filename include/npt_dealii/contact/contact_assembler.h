@@ -46,12 +46,12 @@ namespace NPT
     /**
      * @param maximum_penetration Deeper closest points are rejected [mm].
      */
-    ContactAssembler(const ContactSurface<dim> &             secondary,
+    ContactAssembler(const ContactSurface<dim>              &secondary,
                      const std::vector<ContactSurface<dim>> &primaries,
-                     const ContactParameters &               contact,
-                     const FrictionParameters &              friction,
-                     const double                            maximum_penetration,
-                     const Multiplicity &                    multiplicity = {});
+                     const ContactParameters                &contact,
+                     const FrictionParameters               &friction,
+                     const double        maximum_penetration,
+                     const Multiplicity &multiplicity = {});
 
     /// Switch friction on (with zero slip history from now on) or off.
     void
@@ -106,14 +106,14 @@ namespace NPT
     /// State at a contact node.
     struct NodeState
     {
-      double                                 gap      = 0;
-      bool                                   active   = false;
-      bool                                   slipping = false;
-      double                                 pressure = 0; ///< p <= 0
-      double                                 slope    = 0;
-      double                                 energy   = 0;
-      std::array<double, m>                  slip     = {};
-      typename FrictionLaw<m>::Answer        friction;
+      double                          gap      = 0;
+      bool                            active   = false;
+      bool                            slipping = false;
+      double                          pressure = 0; ///< p <= 0
+      double                          slope    = 0;
+      double                          energy   = 0;
+      std::array<double, m>           slip     = {};
+      typename FrictionLaw<m>::Answer friction;
     };
     const std::vector<NodeState> &
     nodes() const
@@ -173,7 +173,7 @@ namespace NPT
     void
     find_closest(const dealii::Point<dim> &x,
                  const unsigned int        q,
-                 ClosestPoint<dim> &       closest) const;
+                 ClosestPoint<dim>        &closest) const;
 
     ContactSurface<dim>                                    secondary_;
     std::vector<ContactSurface<dim>>                       primaries_;
@@ -185,11 +185,11 @@ namespace NPT
     Averaging                                              averaging_;
     std::vector<unsigned int>                              multiplicity_;
 
-    ContactHistory<dim>                            history_;
-    std::vector<ProjectionStart<dim>>              starts_;
-    std::vector<std::vector<dealii::Point<dim>>>   primary_positions_;
-    std::vector<ClosestPoint<dim>>                 closest_;
-    std::vector<NodeState>                         nodes_;
+    ContactHistory<dim>                          history_;
+    std::vector<ProjectionStart<dim>>            starts_;
+    std::vector<std::vector<dealii::Point<dim>>> primary_positions_;
+    std::vector<ClosestPoint<dim>>               closest_;
+    std::vector<NodeState>                       nodes_;
     // Sums over the nodes of W_I A_Iq p^I and W_I A_Iq t_a^I at the points.
     std::vector<double>                point_pressure_;
     std::vector<std::array<double, m>> point_traction_;

@@ -69,16 +69,16 @@ namespace NPT
     void
     add_second_variation(const double                 pressure,
                          const std::array<double, m> &traction,
-                         std::array<double, n * n> &  M) const;
+                         std::array<double, n * n>   &M) const;
 
   private:
-    const ClosestPoint<dim> &             c_;
-    SurfaceMatrix<m>                      H_inverse_;
-    Row                                   gap_;
-    std::array<Row, m>                    parameter_;
-    std::array<Row, n_metric>             metric_;
-    std::array<std::array<Row, dim>, m>   tangent_; // delta-hat a_a
-    std::array<Row, dim>                  distance_; // delta r, total
+    const ClosestPoint<dim>            &c_;
+    SurfaceMatrix<m>                    H_inverse_;
+    Row                                 gap_;
+    std::array<Row, m>                  parameter_;
+    std::array<Row, n_metric>           metric_;
+    std::array<std::array<Row, dim>, m> tangent_;  // delta-hat a_a
+    std::array<Row, dim>                distance_; // delta r, total
   };
 } // namespace NPT
 

@@ -13,10 +13,10 @@ namespace NPT
   /// Subsection "Contact".
   struct ContactParameters
   {
-    std::string  method               = "mortar"; ///< mortar or KTS
-    double       normal_penalty       = 100.;     ///< epsilon_N [N/mm^3]
-    unsigned int n_quadrature_points  = 0;        ///< 0: degree + 1
-    double       maximum_penetration  = 0.5;      ///< fraction of thickness
+    std::string  method              = "mortar"; ///< mortar or KTS
+    double       normal_penalty      = 100.;     ///< epsilon_N [N/mm^3]
+    unsigned int n_quadrature_points = 0;        ///< 0: degree + 1
+    double       maximum_penetration = 0.5;      ///< fraction of thickness
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);

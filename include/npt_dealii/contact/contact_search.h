@@ -24,7 +24,7 @@ namespace NPT
      * @param positions Current control points of each surface.
      */
     ContactSearch(
-      const std::vector<ContactSurface<dim>> &            surfaces,
+      const std::vector<ContactSurface<dim>>             &surfaces,
       const std::vector<std::vector<dealii::Point<dim>>> &positions);
 
     /// The n nearest samples, nearest first.

@@ -9,6 +9,8 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <utility>
+
 namespace NPT
 {
   /**
@@ -33,6 +35,7 @@ namespace NPT
           reference_.push_back(surface.reference_position(l));
           first_dof_.push_back(dim * surface.control_point(l));
         }
+      find_smooth_pieces();
     }
 
     /**
@@ -42,9 +45,9 @@ namespace NPT
      * @param first_dof First of the dim ghost unknowns per lattice position.
      * @param mirrored The map has determinant -1: the normal turns over.
      */
-    ContactSurface(const IGASurface<dim> &                surface,
+    ContactSurface(const IGASurface<dim>                 &surface,
                    const std::vector<dealii::Point<dim>> &reference,
-                   const std::vector<unsigned int> &      first_dof,
+                   const std::vector<unsigned int>       &first_dof,
                    const bool                             mirrored)
       : surface_(&surface)
       , orientation_(surface.orientation() * (mirrored ? -1. : 1.))
@@ -53,6 +56,7 @@ namespace NPT
     {
       AssertDimension(reference.size(), surface.n_control_points());
       AssertDimension(first_dof.size(), surface.n_control_points());
+      find_smooth_pieces();
     }
 
     const IGASurface<dim> &
@@ -79,7 +83,7 @@ namespace NPT
 
     /// Current positions x = X + w of the control points.
     void
-    update_positions(const dealii::Vector<double> &displacement,
+    update_positions(const dealii::Vector<double>    &displacement,
                      std::vector<dealii::Point<dim>> &positions) const
     {
       positions = reference_;
@@ -88,11 +92,42 @@ namespace NPT
           positions[l][c] += displacement[first_dof_[l] + c];
     }
 
+    /// Interval of parameters around a span over which the surface is C1.
+    const std::pair<double, double> &
+    smooth_piece(const unsigned int direction, const unsigned int span) const
+    {
+      return smooth_pieces_[direction][span];
+    }
+
   private:
-    const IGASurface<dim> *         surface_;
-    double                          orientation_;
-    std::vector<dealii::Point<dim>> reference_;
-    std::vector<unsigned int>       first_dof_;
+    void
+    find_smooth_pieces()
+    {
+      for (int k = 0; k < m; ++k)
+        {
+          const KnotVector  &knots     = surface_->knot_vector(k);
+          const auto        &breaks    = knots.breaks();
+          const unsigned int n_spans   = knots.n_spans();
+          const auto         is_smooth = [&](const unsigned int i) {
+            return knots.multiplicity(breaks[i]) < knots.degree();
+          };
+          for (unsigned int e = 0; e < n_spans; ++e)
+            {
+              unsigned int begin = e, end = e + 1;
+              while (begin > 0 && is_smooth(begin))
+                --begin;
+              while (end < n_spans && is_smooth(end))
+                ++end;
+              smooth_pieces_[k].emplace_back(breaks[begin], breaks[end]);
+            }
+        }
+    }
+
+    const IGASurface<dim>                                *surface_;
+    double                                                orientation_;
+    std::vector<dealii::Point<dim>>                       reference_;
+    std::vector<unsigned int>                             first_dof_;
+    std::array<std::vector<std::pair<double, double>>, m> smooth_pieces_;
   };
 } // namespace NPT
 

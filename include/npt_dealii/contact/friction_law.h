@@ -51,8 +51,8 @@ namespace NPT
      * @param pressure |p| >= 0 [MPa]; zero gives no traction.
      */
     Answer
-    operator()(const std::array<double, m> &       traction_n,
-               const std::array<double, m> &       slip,
+    operator()(const std::array<double, m>        &traction_n,
+               const std::array<double, m>        &slip,
                const std::array<double, n_metric> &metric,
                const double                        pressure) const;
   };

@@ -17,8 +17,7 @@ namespace NPT
    */
   template <int m>
   SurfaceMatrix<m>
-  invert_symmetric(const SurfaceMatrix<m> &    A,
-                   const std::array<bool, m> &free)
+  invert_symmetric(const SurfaceMatrix<m> &A, const std::array<bool, m> &free)
   {
     SurfaceMatrix<m> inverse{};
     if constexpr (m == 2)
