@@ -2,6 +2,7 @@
 // The program: read the parameter file, build the problem, run it, report.
 // Exit status: 0 done, 1 the run ended early, 2 the input cannot be used.
 
+#include <npt_dealii/base/blas_kernels.h>
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/top/numerical_plate_test.h>
@@ -69,6 +70,8 @@ namespace
 int
 main(int argc, char **argv)
 {
+  NPT::select_blas_kernels(argv);
+
   // One process per run: Trilinos' solvers only need MPI to be there. Threads
   // are not used; the linear algebra of these sizes gains nothing by them.
   int    mpi_argc = 1;

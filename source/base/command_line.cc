@@ -15,7 +15,6 @@ namespace NPT
   {
     const std::vector<std::pair<std::string, CommandLine::Action>> actions = {
       {"--validate", CommandLine::Action::validate},
-      {"--geometry-only", CommandLine::Action::geometry_only},
       {"--print-defaults", CommandLine::Action::print_defaults},
       {"--help", CommandLine::Action::help},
       {"--version", CommandLine::Action::version}};
@@ -175,7 +174,6 @@ Usage: npt_dealii FILE.prm [options]
   --set 'Sub/Entry=value' replace one entry of the file; may be repeated, and
                           subsections within subsections are joined by '/'
   --validate              read and check the file, compute nothing
-  --geometry-only         build the unit cell, write pictures of it, then stop
   --print-defaults        write a documented parameter file to the screen
   --help                  this text
   --version               versions of this program and of deal.II

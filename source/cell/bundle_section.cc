@@ -15,7 +15,7 @@ namespace NPT
     for (const double zeta : {-1., 1.})
       for (unsigned int i = 0; i < 3; ++i)
         points.emplace_back(width * (0.5 * i - 0.5), zeta * h[i]);
-    return NURBSPatch<2>({{KnotVector::uniform(2, 1), KnotVector::uniform(1, 1)}},
-                         points);
+    return NURBSPatch<2>(
+      {{KnotVector::uniform(2, 1), KnotVector::uniform(1, 1)}}, points);
   }
 } // namespace NPT

@@ -98,7 +98,8 @@ namespace NPT
     warp.subdivide(2, mesh.elements_through);
 
     NURBSPatch<3> weft = warp;
-    weft.transform([](const Point<3> &P) { return Point<3>(-P[1], P[0], P[2]); });
+    weft.transform(
+      [](const Point<3> &P) { return Point<3>(-P[1], P[0], P[2]); });
 
     const Tensor<1, 3> e1({1., 0., 0.}), e2({0., 1., 0.});
     bundles_.push_back({FiberBundle::Family::warp, warp, e1, +1.});
@@ -109,9 +110,8 @@ namespace NPT
     operations_.push_back(
       {"glide plane along Y2", Tensor<1, 3>({1., 1., -1.}), L * e2});
     if (cell.two_fold_axis)
-      operations_.push_back({"2-fold axis along Y3",
-                             Tensor<1, 3>({-1., -1., 1.}),
-                             Tensor<1, 3>()});
+      operations_.push_back(
+        {"2-fold axis along Y3", Tensor<1, 3>({-1., -1., 1.}), Tensor<1, 3>()});
 
     // Secondary: top of the weft; primary: bottom of the warp.
     contacts_.push_back({1, 1, {{0, 0}}});

@@ -45,7 +45,7 @@ namespace NPT
   OrbitConstraints::relate(const unsigned int i,
                            const double       sign,
                            const unsigned int j,
-                           const Affine &     affine,
+                           const Affine      &affine,
                            const std::string &name)
   {
     AssertIndexRange(i, parent_.size());

@@ -34,14 +34,13 @@ namespace NPT
           for (unsigned int l = 0; l < space.patch(b).n_control_points(); ++l)
             {
               const unsigned int A = space.control_point(b, l);
-              const auto &       P = space.control_points()[A];
+              const auto        &P = space.control_points()[A];
               entries[static_cast<int>(cell.bundles()[b].family)].emplace_back(
                 BPoint(P[0], P[1], P[2]), A);
             }
         for (unsigned int f = 0; f < 2; ++f)
-          trees_[f] =
-            bgi::rtree<Entry, bgi::rstar<16>>(entries[f].begin(),
-                                              entries[f].end());
+          trees_[f] = bgi::rtree<Entry, bgi::rstar<16>>(entries[f].begin(),
+                                                        entries[f].end());
       }
 
       // Control point at a position, or -1.
@@ -67,10 +66,10 @@ namespace NPT
 
 
   dealii::AffineConstraints<double>
-  make_couplings(const FabricCell &         cell,
-                 const IGASpace<3> &        space,
-                 const MacroUnknowns &      macro,
-                 const CouplingOptions &    options,
+  make_couplings(const FabricCell          &cell,
+                 const IGASpace<3>         &space,
+                 const MacroUnknowns       &macro,
+                 const CouplingOptions     &options,
                  const std::vector<double> &height)
   {
     using Affine = OrbitConstraints::Affine;
@@ -127,7 +126,7 @@ namespace NPT
             for (const unsigned int i : {0u, patch.n_control_points(0) - 1})
               for (unsigned int j = 0; j < patch.n_control_points(1); ++j)
                 {
-                  Affine affine(MacroUnknowns::n_macro, 0.);
+                  Affine             affine(MacroUnknowns::n_macro, 0.);
                   const unsigned int A =
                     space.control_point(b, patch.index({{i, j, (n - 1) / 2}}));
                   const unsigned int B =
@@ -151,7 +150,7 @@ namespace NPT
         // a weighted sum of control points, solved for its largest term.
         for (unsigned int b = 0; b < space.n_patches(); ++b)
           {
-            const NURBSPatch<3> &patch = space.patch(b);
+            const NURBSPatch<3>                         &patch = space.patch(b);
             std::vector<std::pair<unsigned int, double>> weights;
             std::array<unsigned int, 2>                  span;
             std::array<std::vector<double>, 2>           N;
@@ -178,8 +177,8 @@ namespace NPT
                 unsigned int pivot = 0;
                 for (unsigned int k = 1; k < weights.size(); ++k)
                   if (!constraints.is_constrained(3 * weights[k].first + c) &&
-                      (constraints.is_constrained(
-                         3 * weights[pivot].first + c) ||
+                      (constraints.is_constrained(3 * weights[pivot].first +
+                                                  c) ||
                        weights[k].second > weights[pivot].second + 1e-12))
                     pivot = k;
                 const unsigned int line = 3 * weights[pivot].first + c;
@@ -200,8 +199,8 @@ namespace NPT
 
 
   dealii::Vector<double>
-  straight_bundles(const FabricCell &   cell,
-                   const IGASpace<3> &  space,
+  straight_bundles(const FabricCell    &cell,
+                   const IGASpace<3>   &space,
                    const MacroUnknowns &macro,
                    const double         offset)
   {

@@ -28,8 +28,8 @@ namespace NPT
 
 
   Tensor<2, 3>
-  contact_dipole(const FabricCell &            cell,
-                 const IGASpace<3> &           space,
+  contact_dipole(const FabricCell             &cell,
+                 const IGASpace<3>            &space,
                  const dealii::Vector<double> &contact_force)
   {
     Resultants sum;

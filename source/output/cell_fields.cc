@@ -25,10 +25,10 @@ namespace NPT
     // append them to the mesh. The first three numbers are the position.
     void
     append_points(const std::vector<std::vector<double>> &bezier,
-                  const std::vector<double> &             weights,
-                  const std::vector<Column> &             columns,
-                  const std::vector<unsigned int> &       which,
-                  BezierMesh &                            mesh)
+                  const std::vector<double>              &weights,
+                  const std::vector<Column>              &columns,
+                  const std::vector<unsigned int>        &which,
+                  BezierMesh                             &mesh)
     {
       for (const unsigned int b : which)
         {
@@ -47,17 +47,17 @@ namespace NPT
 
   BezierMesh
   make_bundle_fields(
-    const IGASpace<3> &                                     space,
+    const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
-    const std::vector<CellGradients> &                      gradients,
-    const Vector<double> &                                  u)
+    const std::vector<CellGradients>                       &gradients,
+    const Vector<double>                                   &u)
   {
     // Stresses at control points: means weighted with their functions.
     constexpr unsigned int           n_stress = 8; // sigma (6), Mises, J
-    std::vector<std::vector<double>> stress(
-      space.n_control_points(), std::vector<double>(n_stress, 0.));
-    std::vector<double> weight(space.n_control_points(), 0.);
-    std::vector<double> w;
+    std::vector<std::vector<double>> stress(space.n_control_points(),
+                                            std::vector<double>(n_stress, 0.));
+    std::vector<double>              weight(space.n_control_points(), 0.);
+    std::vector<double>              w;
     for (unsigned int c = 0; c < space.cells().size(); ++c)
       {
         const CellGradients &cell = gradients[c];
@@ -128,8 +128,7 @@ namespace NPT
             coefficients.push_back(row);
           }
         std::vector<double> weights;
-        const auto          bezier =
-          space.bezier_coefficients(c, coefficients, weights);
+        const auto bezier = space.bezier_coefficients(c, coefficients, weights);
         append_points(bezier, weights, columns, all, mesh);
         mesh.degrees.push_back({{p, p, p}});
         mesh.cell_data[0].values.push_back(space.body(patch));
@@ -140,19 +139,19 @@ namespace NPT
 
 
   BezierMesh
-  make_contact_fields(const IGASpace<3> &        space,
+  make_contact_fields(const IGASpace<3>         &space,
                       const unsigned int         patch,
                       const unsigned int         side,
                       const ContactAssembler<3> &contact,
-                      const Vector<double> &     u)
+                      const Vector<double>      &u)
   {
     // Values at the contact nodes, then at the control points of the surface:
     // the same ones for mortar, weighted means of the Gauss points for KTS.
     constexpr unsigned int           n_values = 7;
-    const auto &                     nodes    = contact.nodes();
-    const auto &                     points   = contact.closest_points();
-    std::vector<std::vector<double>> at_node(
-      nodes.size(), std::vector<double>(n_values, 0.));
+    const auto                      &nodes    = contact.nodes();
+    const auto                      &points   = contact.closest_points();
+    std::vector<std::vector<double>> at_node(nodes.size(),
+                                             std::vector<double>(n_values, 0.));
     for (unsigned int I = 0; I < nodes.size(); ++I)
       {
         auto &value = at_node[I];
@@ -167,18 +166,17 @@ namespace NPT
           for (unsigned int k = 0; k < 2; ++k)
             a[k] += entry.weight * points[entry.point].a[k];
         const double a11 = a[0] * a[0], a12 = a[0] * a[1], a22 = a[1] * a[1];
-        const double det = a11 * a22 - a12 * a12;
-        const auto & t   = nodes[I].friction.traction;
-        const Tensor<1, 3> traction =
-          ((a22 * t[0] - a12 * t[1]) * a[0] + (a11 * t[1] - a12 * t[0]) * a[1]) /
-          det;
+        const double det            = a11 * a22 - a12 * a12;
+        const auto  &t              = nodes[I].friction.traction;
+        const Tensor<1, 3> traction = ((a22 * t[0] - a12 * t[1]) * a[0] +
+                                       (a11 * t[1] - a12 * t[0]) * a[1]) /
+                                      det;
         for (unsigned int i = 0; i < 3; ++i)
           value[2 + i] = traction[i];
-        value[5] =
-          (nodes[I].slip[0] * a[0] + nodes[I].slip[1] * a[1]).norm();
+        value[5] = (nodes[I].slip[0] * a[0] + nodes[I].slip[1] * a[1]).norm();
       }
 
-    const auto &surface = contact.secondary().surface();
+    const auto                      &surface = contact.secondary().surface();
     std::vector<std::vector<double>> at_control_point(
       surface.n_control_points(), std::vector<double>(n_values, 0.));
     if (contact.averaging().nodes().size() == surface.n_control_points())
@@ -228,8 +226,7 @@ namespace NPT
             coefficients.push_back(row);
           }
         std::vector<double> weights;
-        const auto          bezier =
-          space.bezier_coefficients(c, coefficients, weights);
+        const auto bezier = space.bezier_coefficients(c, coefficients, weights);
         std::vector<unsigned int> face;
         const unsigned int        n_face = (p + 1) * (p + 1);
         for (unsigned int b = 0; b < n_face; ++b)

@@ -47,8 +47,8 @@ namespace NPT
         row_start_.push_back(row_column_.size());
       }
     groups_.clear();
-    matrix_           = CSRMatrix();
-    free_pattern_of_  = 0;
+    matrix_          = CSRMatrix();
+    free_pattern_of_ = 0;
     prescribed_.assign(independent_.size(), false);
     free_.resize(independent_.size());
     for (unsigned int k = 0; k < free_.size(); ++k)
@@ -71,7 +71,7 @@ namespace NPT
 
   void
   CondensedSystem::condense(const Vector<double> &r,
-                            Vector<double> &      condensed) const
+                            Vector<double>       &condensed) const
   {
     AssertDimension(r.size(), index_.size());
     condensed.reinit(independent_.size());
@@ -84,7 +84,7 @@ namespace NPT
 
   void
   CondensedSystem::restrict_to_independent(const Vector<double> &u,
-                                           Vector<double> &      m) const
+                                           Vector<double>       &m) const
   {
     m.reinit(independent_.size());
     for (unsigned int k = 0; k < independent_.size(); ++k)
@@ -101,8 +101,7 @@ namespace NPT
       for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
         group.masters.push_back(row_column_[k]);
     std::sort(group.masters.begin(), group.masters.end());
-    group.masters.erase(std::unique(group.masters.begin(),
-                                    group.masters.end()),
+    group.masters.erase(std::unique(group.masters.begin(), group.masters.end()),
                         group.masters.end());
 
     group.start.push_back(0);
@@ -162,27 +161,32 @@ namespace NPT
   CondensedSystem::build_pattern(
     const std::vector<std::vector<unsigned int>> &couplings)
   {
-    std::vector<std::vector<int>> rows(independent_.size());
-    // The diagonal exists even for unknowns that no group touches.
-    for (unsigned int k = 0; k < rows.size(); ++k)
-      rows[k].push_back(k);
-    const auto couple = [&](const Group &group) {
-      for (const int a : group.masters)
-        {
-          auto &row = rows[a];
-          row.insert(row.end(), group.masters.begin(), group.masters.end());
-          // Duplicates are removed now and then to bound the memory.
-          if (row.size() > 4096)
-            {
-              std::sort(row.begin(), row.end());
-              row.erase(std::unique(row.begin(), row.end()), row.end());
-            }
-        }
-    };
-    for (const Group &group : groups_)
-      couple(group);
+    // Which groups each independent unknown belongs to; then one row at a time
+    // is gathered with a marker, so that nothing is sorted twice.
+    std::vector<Group> extra;
     for (const auto &coupling : couplings)
-      couple(make_group(coupling));
+      extra.push_back(make_group(coupling));
+    std::vector<std::vector<const Group *>> member(independent_.size());
+    for (const auto *list : {&groups_, &extra})
+      for (const Group &group : *list)
+        for (const int a : group.masters)
+          member[a].push_back(&group);
+
+    std::vector<std::vector<int>> rows(independent_.size());
+    std::vector<int>              marker(independent_.size(), -1);
+    for (int a = 0; a < static_cast<int>(rows.size()); ++a)
+      {
+        // The diagonal exists even for unknowns that no group touches.
+        marker[a] = a;
+        rows[a].push_back(a);
+        for (const Group *group : member[a])
+          for (const int b : group->masters)
+            if (marker[b] != a)
+              {
+                marker[b] = a;
+                rows[a].push_back(b);
+              }
+      }
     matrix_.set_pattern(rows);
     for (Group &group : groups_)
       {
@@ -195,7 +199,7 @@ namespace NPT
 
 
   void
-  CondensedSystem::add(const Group &              group,
+  CondensedSystem::add(const Group               &group,
                        const std::vector<double> &K,
                        const double               factor)
   {
@@ -206,9 +210,9 @@ namespace NPT
       {
         for (std::size_t a = 0; a < n; ++a)
           {
-            const double ca        = factor * group.coefficient[a];
-            const int *  positions = &group.positions[group.local[a] * n_m];
-            const double *row      = &K[a * n];
+            const double  ca        = factor * group.coefficient[a];
+            const int    *positions = &group.positions[group.local[a] * n_m];
+            const double *row       = &K[a * n];
             for (std::size_t b = 0; b < n; ++b)
               values[positions[group.local[b]]] +=
                 ca * group.coefficient[b] * row[b];
@@ -222,14 +226,14 @@ namespace NPT
       for (int k = group.start[a]; k < group.start[a + 1]; ++k)
         {
           const double  c      = factor * group.coefficient[k];
-          double *      target = &scratch_[group.local[k] * n];
+          double       *target = &scratch_[group.local[k] * n];
           const double *row    = &K[a * n];
           for (std::size_t b = 0; b < n; ++b)
             target[b] += c * row[b];
         }
     for (std::size_t m = 0; m < n_m; ++m)
       {
-        const int *   positions = &group.positions[m * n_m];
+        const int    *positions = &group.positions[m * n_m];
         const double *row       = &scratch_[m * n];
         for (std::size_t b = 0; b < n; ++b)
           for (int k = group.start[b]; k < group.start[b + 1]; ++k)
@@ -252,7 +256,7 @@ namespace NPT
 
   bool
   CondensedSystem::add(const std::vector<unsigned int> &unknowns,
-                       const std::vector<double> &      K)
+                       const std::vector<double>       &K)
   {
     Group group = make_group(unknowns);
     if (!find_positions(group))

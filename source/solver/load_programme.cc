@@ -248,6 +248,14 @@ namespace NPT
     const Section         programme(prm, "Load programme");
     for (const std::string &name : split_names(prm.get("Stages")))
       {
+        if (name.empty())
+          throw InputError("Stages is '" + prm.get("Stages") +
+                           "' with nothing between two commas; remove one of "
+                           "them (subsection Load programme).");
+        if (name.find('"') != std::string::npos)
+          throw InputError("Stages names " + name +
+                           " in quotation marks; write the name without them "
+                           "(subsection Load programme).");
         if (!known.insert(name).second)
           throw InputError("Stages names " + name +
                            " twice; give the second one its own name "

@@ -9,6 +9,7 @@
 #include <npt_dealii/solver/step_control.h>
 #include <npt_dealii/top/numerical_plate_test.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <fstream>
@@ -31,9 +32,9 @@ namespace NPT
 
 
 
-  NumericalPlateTest::NumericalPlateTest(const Parameters & parameters,
+  NumericalPlateTest::NumericalPlateTest(const Parameters  &parameters,
                                          const std::string &directory,
-                                         std::ostream &     screen)
+                                         std::ostream      &screen)
     : parameters_(parameters)
     , directory_(directory)
     , log_(directory.empty() ? "" : directory + "/log.txt",
@@ -109,10 +110,9 @@ namespace NPT
         laws_.push_back(
           make_material<3>(parameters_.material, bundle.direction));
       }
-    space_ =
-      std::make_unique<IGASpace<3>>(patches,
-                                    std::vector<unsigned int>(),
-                                    parameters_.mesh.basis);
+    space_ = std::make_unique<IGASpace<3>>(patches,
+                                           std::vector<unsigned int>(),
+                                           parameters_.mesh.basis);
     macro_ = MacroUnknowns(space_->n_control_points());
   }
 
@@ -183,8 +183,7 @@ namespace NPT
             parameters_.cell.bundle_thickness,
           [&](const dealii::Point<3> &X) { return cell_->multiplicity(X); }));
       }
-    linear_solver_ =
-      std::make_unique<LinearSolver>(parameters_.linear_solver);
+    linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
 
     // Start: straight bundles, one thickness apart, just touching.
     u_ = straight_bundles(*cell_,
@@ -325,7 +324,7 @@ namespace NPT
         force_start_[n] + load_factor * (force_target_[n] - force_start_[n]);
 
     // Newton's unknowns are the free ones; the rest of m is on its target.
-    Vector<double> m = m_target, residual_m;
+    Vector<double> m        = m_target, residual_m;
     const auto     set_free = [&](const Vector<double> &x) {
       for (unsigned int k = 0; k < system_.n_free(); ++k)
         m[system_.free_unknown(k)] = x[k];
@@ -353,8 +352,8 @@ namespace NPT
     const auto extrapolate = [&](Vector<double> &x) {
       Vector<double> m_previous;
       system_.restrict_to_independent(u_previous_, m_previous);
-      const double ratio = (load_factor - load_factor_) /
-                           (load_factor_ - load_factor_previous_);
+      const double ratio =
+        (load_factor - load_factor_) / (load_factor_ - load_factor_previous_);
       for (unsigned int k = 0; k < system_.n_free(); ++k)
         {
           const unsigned int i = system_.free_unknown(k);
@@ -413,7 +412,7 @@ namespace NPT
         problem.prepare_tangent = prepare_tangent;
         problem.solve           = solve;
         problem.force_scale     = [&]() { return force_scale_; };
-        report_ = solve_newton(parameters_.newton, problem, x);
+        report_                 = solve_newton(parameters_.newton, problem, x);
 
         // Newton's last residual belongs to x; everything derived from it
         // (contact state, reactions) is that of the trial state.
@@ -446,10 +445,9 @@ namespace NPT
       {
         // The macro residual excludes the applied load, so it is the
         // conjugate for prescribed H and prescribed n alike.
-        conjugate[n] =
-          (reactions[system_.independent_index(macro_.mode(n))]) /
-            cell_->area() +
-          (resultant_controlled_[n] ? applied_[n] : 0.);
+        conjugate[n] = (reactions[system_.independent_index(macro_.mode(n))]) /
+                         cell_->area() +
+                       (resultant_controlled_[n] ? applied_[n] : 0.);
         const double dH = u_trial_[macro_.mode(n)] - u_[macro_.mode(n)];
         work += 0.5 * (conjugate[n] + conjugate_[n]) * dH * cell_->area();
         row.H[n] = u_trial_[macro_.mode(n)];
@@ -514,7 +512,7 @@ namespace NPT
   void
   NumericalPlateTest::cell_displacement(const unsigned int    c,
                                         const Vector<double> &u,
-                                        std::vector<double> & w) const
+                                        std::vector<double>  &w) const
   {
     w.resize(cell_unknowns_[c].size());
     for (unsigned int a = 0; a < w.size(); ++a)
@@ -525,7 +523,7 @@ namespace NPT
 
   void
   NumericalPlateTest::assemble_residual(const Vector<double> &u,
-                                        Vector<double> &      residual)
+                                        Vector<double>       &residual)
   {
     residual.reinit(macro_.n_unknowns());
     {
@@ -543,8 +541,7 @@ namespace NPT
       residual += force;
       // Convergence is measured against the forces before they cancel: those
       // of the cells on their control points, and of contact.
-      force_scale_ = std::sqrt(force_scale_ * force_scale_ +
-                               force.norm_sqr());
+      force_scale_ = std::sqrt(force_scale_ * force_scale_ + force.norm_sqr());
     }
     // Prescribed resultants act on the macro unknowns.
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
@@ -560,7 +557,7 @@ namespace NPT
    */
   void
   NumericalPlateTest::assemble_bundles(const Vector<double> &u,
-                                       Vector<double> *      residual)
+                                       Vector<double>       *residual)
   {
     std::vector<double> w, f, K;
     unsigned int        group  = 0;
@@ -578,9 +575,8 @@ namespace NPT
           }
         catch (const InvertedCell &)
           {
-            throw InvertedCell(
-              "cell " + std::to_string(c) + " of bundle " +
-              std::to_string(space_->cells()[c].patch));
+            throw InvertedCell("cell " + std::to_string(c) + " of bundle " +
+                               std::to_string(space_->cells()[c].patch));
           }
 
         if (residual != nullptr)
@@ -613,6 +609,10 @@ namespace NPT
                                   couplings.begin(),
                                   couplings.end());
       }
+    std::sort(contact_couplings_.begin(), contact_couplings_.end());
+    contact_couplings_.erase(std::unique(contact_couplings_.begin(),
+                                         contact_couplings_.end()),
+                             contact_couplings_.end());
     system_.build_pattern(contact_couplings_);
     pattern_is_current_ = true;
   }
@@ -631,7 +631,7 @@ namespace NPT
           TimerOutput::Scope timer(timer_, "Tangent: contact");
           for (const auto &contact : contacts_)
             contact->add_tangent([&](const std::vector<unsigned int> &unknowns,
-                                     const std::vector<double> &      K) {
+                                     const std::vector<double>       &K) {
               if (!system_.add(unknowns, K))
                 pattern_is_current_ = false;
             });
@@ -756,7 +756,9 @@ namespace NPT
       }
     log_.line("Factorizations: " + std::to_string(linear_solver_->n_numeric()) +
               " (" + std::to_string(linear_solver_->n_symbolic()) +
-              " new patterns)");
+              " new patterns), " + std::to_string(system_.n_free()) +
+              " free unknowns, " +
+              std::to_string(system_.free_matrix().n_nonzeros()) + " nonzeros");
     std::ostringstream table;
     timer_.print_summary();
   }

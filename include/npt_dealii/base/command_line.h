@@ -18,8 +18,7 @@ namespace NPT
       help,
       version,
       validate,       ///< Read and check the parameters, then stop.
-      print_defaults, ///< Write a documented parameter file, then stop.
-      geometry_only   ///< Build the unit cell and write its files, then stop.
+      print_defaults  ///< Write a documented parameter file, then stop.
     };
 
     Action      action = Action::run;

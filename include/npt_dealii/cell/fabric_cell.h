@@ -5,8 +5,8 @@
 #ifndef npt_dealii_cell_fabric_cell_h
 #define npt_dealii_cell_fabric_cell_h
 
-#include <npt_dealii/cell/cell_parameters.h>
 #include <npt_dealii/cell/bundle_section.h>
+#include <npt_dealii/cell/cell_parameters.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -23,11 +23,11 @@ namespace NPT
       warp, ///< along Y1
       weft  ///< along Y2
     };
-    Family                 family;
-    NURBSPatch<3>          patch; ///< along, across, through the thickness
-    dealii::Tensor<1, 3>   direction; ///< fiber direction, unit vector
+    Family               family;
+    NURBSPatch<3>        patch;     ///< along, across, through the thickness
+    dealii::Tensor<1, 3> direction; ///< fiber direction, unit vector
     /// +1: starts above the mid-plane in weaving, -1: below.
-    double                 side;
+    double side;
   };
 
   /**

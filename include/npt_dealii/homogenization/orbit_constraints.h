@@ -45,7 +45,7 @@ namespace NPT
     relate(const unsigned int i,
            const double       sign,
            const unsigned int j,
-           const Affine &     affine,
+           const Affine      &affine,
            const std::string &name);
 
     /// Write the lines of all orbits; does not close.

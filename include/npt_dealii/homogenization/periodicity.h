@@ -33,16 +33,16 @@ namespace NPT
    * @return Closed constraints over macro.n_unknowns() unknowns.
    */
   dealii::AffineConstraints<double>
-  make_couplings(const FabricCell &        cell,
-                 const IGASpace<3> &       space,
-                 const MacroUnknowns &     macro,
-                 const CouplingOptions &   options,
+  make_couplings(const FabricCell          &cell,
+                 const IGASpace<3>         &space,
+                 const MacroUnknowns       &macro,
+                 const CouplingOptions     &options,
                  const std::vector<double> &height = {});
 
   /// Displacement of straight bundles held apart by `offset` [mm].
   dealii::Vector<double>
-  straight_bundles(const FabricCell &   cell,
-                   const IGASpace<3> &  space,
+  straight_bundles(const FabricCell    &cell,
+                   const IGASpace<3>   &space,
                    const MacroUnknowns &macro,
                    const double         offset);
 } // namespace NPT

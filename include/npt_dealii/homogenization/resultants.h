@@ -9,7 +9,6 @@
 #include <npt_dealii/iga/iga_space.h>
 
 #include <deal.II/base/tensor.h>
-
 #include <deal.II/lac/vector.h>
 
 namespace NPT
@@ -40,8 +39,8 @@ namespace NPT
    * @param contact_force C_c of all unknowns (full vector).
    */
   dealii::Tensor<2, 3>
-  contact_dipole(const FabricCell &            cell,
-                 const IGASpace<3> &           space,
+  contact_dipole(const FabricCell             &cell,
+                 const IGASpace<3>            &space,
                  const dealii::Vector<double> &contact_force);
 } // namespace NPT
 

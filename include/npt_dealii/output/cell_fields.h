@@ -24,10 +24,10 @@ namespace NPT
    */
   BezierMesh
   make_bundle_fields(
-    const IGASpace<3> &                                      space,
-    const std::vector<std::unique_ptr<HyperelasticLaw<3>>> & laws,
-    const std::vector<CellGradients> &                       gradients,
-    const dealii::Vector<double> &                           u);
+    const IGASpace<3>                                      &space,
+    const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
+    const std::vector<CellGradients>                       &gradients,
+    const dealii::Vector<double>                           &u);
 
   /**
    * Secondary contact surface in the current configuration as Bezier
@@ -36,10 +36,10 @@ namespace NPT
    * sticking or frictionless contact, 2 slipping) of the contact nodes.
    */
   BezierMesh
-  make_contact_fields(const IGASpace<3> &           space,
+  make_contact_fields(const IGASpace<3>            &space,
                       const unsigned int            patch,
                       const unsigned int            side,
-                      const ContactAssembler<3> &   contact,
+                      const ContactAssembler<3>    &contact,
                       const dealii::Vector<double> &u);
 } // namespace NPT
 

@@ -57,11 +57,11 @@ namespace NPT
     /// C^T r.
     void
     condense(const dealii::Vector<double> &r,
-             dealii::Vector<double> &      condensed) const;
+             dealii::Vector<double>       &condensed) const;
     /// Pick the independent entries of a full vector.
     void
     restrict_to_independent(const dealii::Vector<double> &u,
-                            dealii::Vector<double> &      m) const;
+                            dealii::Vector<double>       &m) const;
 
     /// Register a recurring group; returns its number.
     unsigned int
@@ -88,7 +88,7 @@ namespace NPT
     /// the caller must rebuild the pattern and assemble again).
     bool
     add(const std::vector<unsigned int> &unknowns,
-        const std::vector<double> &      K);
+        const std::vector<double>       &K);
 
     /// C^T K C over all independent unknowns.
     const CSRMatrix &
@@ -126,7 +126,7 @@ namespace NPT
       std::vector<int>    local;   // position in masters
       std::vector<double> coefficient;
       std::vector<int>    positions; // into matrix values
-      bool                simple; // every unknown is +/- one distinct master
+      bool                simple;    // every unknown is +/- one distinct master
     };
     Group
     make_group(const std::vector<unsigned int> &unknowns) const;

@@ -49,9 +49,9 @@ namespace NPT
      *   (tests).
      * @param screen Where the log is shown.
      */
-    NumericalPlateTest(const Parameters & parameters,
+    NumericalPlateTest(const Parameters  &parameters,
                        const std::string &directory,
-                       std::ostream &     screen);
+                       std::ostream      &screen);
     virtual ~NumericalPlateTest() = default;
 
     /// The whole test. Throws StageFailed if a stage cannot be finished; all
@@ -87,13 +87,13 @@ namespace NPT
     /// Residual of the full system at u: bundles, contact.
     void
     assemble_residual(const dealii::Vector<double> &u,
-                      dealii::Vector<double> &      residual);
+                      dealii::Vector<double>       &residual);
     /// Tangent of the state last seen by assemble_residual().
     void
     assemble_tangent(const dealii::Vector<double> &u);
     void
     assemble_bundles(const dealii::Vector<double> &u,
-                     dealii::Vector<double> *      residual);
+                     dealii::Vector<double>       *residual);
     void
     rebuild_pattern();
     Resultants
@@ -112,7 +112,7 @@ namespace NPT
     void
     cell_displacement(const unsigned int            cell,
                       const dealii::Vector<double> &u,
-                      std::vector<double> &         w) const;
+                      std::vector<double>          &w) const;
 
     const Parameters    parameters_;
     const std::string   directory_;
@@ -121,16 +121,16 @@ namespace NPT
     const double        cpu_start_;
 
     // The cell and its discretization.
-    std::unique_ptr<FabricCell>                             cell_;
-    std::unique_ptr<IGASpace<3>>                            space_;
-    std::vector<std::unique_ptr<HyperelasticLaw<3>>>        laws_; // by bundle
-    std::vector<CellGradients>                              gradients_;
-    std::vector<unsigned int>                               multiplicity_;
-    std::vector<std::vector<unsigned int>>                  cell_unknowns_;
-    std::vector<std::unique_ptr<IGASurface<3>>>             surfaces_;
-    std::vector<std::unique_ptr<ContactAssembler<3>>>       contacts_;
-    MacroUnknowns                                           macro_;
-    std::vector<double>                                     height_;
+    std::unique_ptr<FabricCell>                       cell_;
+    std::unique_ptr<IGASpace<3>>                      space_;
+    std::vector<std::unique_ptr<HyperelasticLaw<3>>>  laws_; // by bundle
+    std::vector<CellGradients>                        gradients_;
+    std::vector<unsigned int>                         multiplicity_;
+    std::vector<std::vector<unsigned int>>            cell_unknowns_;
+    std::vector<std::unique_ptr<IGASurface<3>>>       surfaces_;
+    std::vector<std::unique_ptr<ContactAssembler<3>>> contacts_;
+    MacroUnknowns                                     macro_;
+    std::vector<double>                               height_;
 
     // The system of the present stage.
     CondensedSystem                        system_;
@@ -156,12 +156,12 @@ namespace NPT
     dealii::Vector<double> u_trial_, residual_;
     NewtonReport           report_;
 
-    std::vector<CurveRow>                            curve_;
-    std::unique_ptr<CurveWriter>                     curve_writer_;
-    std::vector<std::pair<double, std::string>>      bundle_files_, contact_files_;
-    unsigned int                                     cuts_      = 0;
-    double                                           stages_done_ = 0;
-    std::string                                      failure_reason_;
+    std::vector<CurveRow>                       curve_;
+    std::unique_ptr<CurveWriter>                curve_writer_;
+    std::vector<std::pair<double, std::string>> bundle_files_, contact_files_;
+    unsigned int                                cuts_        = 0;
+    double                                      stages_done_ = 0;
+    std::string                                 failure_reason_;
   };
 } // namespace NPT
 

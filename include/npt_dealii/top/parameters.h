@@ -20,9 +20,9 @@ namespace NPT
   /// Subsection "Output".
   struct OutputParameters
   {
-    std::string directory   = "output";
-    std::string fields      = "stages"; ///< none, stages or steps
-    bool        picture     = true;
+    std::string directory = "output";
+    std::string fields    = "stages"; ///< none, stages or steps
+    bool        picture   = true;
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);
@@ -57,7 +57,7 @@ namespace NPT
      * Throws InputError with one sentence for the first mistake.
      */
     static Parameters
-    read(const ParameterText &           text,
+    read(const ParameterText            &text,
          const std::vector<std::string> &overrides = {});
 
     /// A documented parameter file with all defaults.
