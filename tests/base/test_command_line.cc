@@ -66,7 +66,6 @@ TEST_CASE("Options may stand before and behind the file", "[base]")
   CHECK(line.output_directory == "out dir");
   CHECK(line.overrides == std::vector<std::string>{"A/B=1", "A/C d=x=y"});
   CHECK(parse({"a.prm", "--output=b"}).output_directory == "b");
-  CHECK(parse({"a.prm", "--geometry-only"}).action == Action::geometry_only);
 }
 
 
@@ -96,8 +95,8 @@ TEST_CASE("Each mistake on the command line has its own sentence", "[base]")
         "unknown option '--otput'; did you mean '--output'?");
   CHECK(message({"a.prm", "-output=x"}) ==
         "unknown option '-output'; did you mean '--output'?");
-  CHECK(message({"a.prm", "--geometry"}) ==
-        "unknown option '--geometry'; did you mean '--geometry-only'?");
+  CHECK(message({"a.prm", "--defaults"}) ==
+        "unknown option '--defaults'; did you mean '--print-defaults'?");
   CHECK(message({"a.prm", "--banana"}) == "unknown option '--banana'");
   CHECK(message({"a.prm", "--output"}) ==
         "--output needs the name of a directory");
@@ -118,8 +117,8 @@ TEST_CASE("Each mistake on the command line has its own sentence", "[base]")
   CHECK(message({"a.prm", "--set", "=1"}) ==
         "--set '=1': the name of the entry is missing, write --set "
         "'Subsection/Entry=value'");
-  CHECK(message({"a.prm", "--validate", "--geometry-only"}) ==
-        "--validate and --geometry-only exclude each other; choose one");
+  CHECK(message({"a.prm", "--validate", "--print-defaults"}) ==
+        "--validate and --print-defaults exclude each other; choose one");
   CHECK(message({"a.prm", "--validate=yes"}) ==
         "--validate takes no value, found '--validate=yes'");
   CHECK_THAT(message({""}), Catch::StartsWith("an argument is empty"));
@@ -132,7 +131,6 @@ TEST_CASE("The help names every option and the version names deal.II", "[base]")
   for (const char *option : {"--output",
                              "--set",
                              "--validate",
-                             "--geometry-only",
                              "--print-defaults",
                              "--help",
                              "--version"})
