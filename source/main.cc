@@ -5,6 +5,9 @@
 #include <npt_dealii/base/blas_kernels.h>
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/top/material_test_parameters.h>
+#include <npt_dealii/top/numerical_material_test.h>
 #include <npt_dealii/top/numerical_plate_test.h>
 #include <npt_dealii/top/parameters.h>
 
@@ -15,10 +18,45 @@
 
 namespace
 {
+  using namespace NPT;
+
+  // Print or check the parameters if that is all that was asked for.
+  template <typename AnyParameters>
+  bool
+  done_with_parameters(const CommandLine   &command,
+                       const AnyParameters &parameters)
+  {
+    if (command.action == CommandLine::Action::print_defaults)
+      std::cout << parameters.used_file;
+    else if (command.action == CommandLine::Action::validate)
+      std::cout << command.parameter_file << " is valid." << std::endl;
+    else
+      return false;
+    return true;
+  }
+
+
+
+  std::string
+  make_output_directory(const CommandLine &command,
+                        const std::string &of_parameters)
+  {
+    const std::string directory = command.output_directory.empty() ?
+                                    of_parameters :
+                                    command.output_directory;
+    std::error_code   error;
+    std::filesystem::create_directories(directory, error);
+    if (!std::filesystem::is_directory(directory))
+      throw InputError("The output directory '" + directory +
+                       "' cannot be created: " + error.message() + ".");
+    return directory;
+  }
+
+
+
   int
   run(int argc, char **argv)
   {
-    using namespace NPT;
     const CommandLine command = parse_command_line(argc, argv);
     switch (command.action)
       {
@@ -31,38 +69,49 @@ namespace
         default:
           break;
       }
-    if (command.action == CommandLine::Action::print_defaults &&
-        command.parameter_file.empty())
-      {
-        std::cout << Parameters::documented_defaults();
-        return 0;
-      }
 
-    Parameters parameters =
-      Parameters::read(read_parameter_text(command.parameter_file),
-                       command.overrides);
-    if (command.action == CommandLine::Action::print_defaults)
-      {
-        std::cout << parameters.used_file;
-        return 0;
-      }
-    if (command.action == CommandLine::Action::validate)
-      {
-        std::cout << command.parameter_file << " is valid." << std::endl;
-        return 0;
-      }
+    // Which problem it is decides which entries there are. Any other value is
+    // refused with the rest of the file.
+    const ParameterText text = command.parameter_file.empty() ?
+                                 ParameterText() :
+                                 read_parameter_text(command.parameter_file);
+    const std::string   problem =
+      get_entry(text, command.overrides, "Problem").value_or("plate test");
 
-    const std::string directory = command.output_directory.empty() ?
-                                    parameters.output.directory :
-                                    command.output_directory;
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (!std::filesystem::is_directory(directory))
-      throw InputError("The output directory '" + directory +
-                       "' cannot be created: " + error.message() + ".");
-
-    NumericalPlateTest test(parameters, directory, std::cout);
-    test.run();
+    if (problem == "material test")
+      {
+        const auto parameters =
+          MaterialTestParameters::read(text, command.overrides);
+        if (done_with_parameters(command, parameters))
+          return 0;
+        NumericalMaterialTest test(
+          parameters,
+          make_output_directory(command, parameters.output.directory),
+          std::cout);
+        test.run();
+      }
+    else if (problem == "identification")
+      {
+        const auto parameters =
+          IdentificationRunParameters::read(text, command.overrides);
+        if (done_with_parameters(command, parameters))
+          return 0;
+        run_identification(parameters,
+                           make_output_directory(command,
+                                                 parameters.output.directory),
+                           std::cout);
+      }
+    else
+      {
+        const auto parameters = Parameters::read(text, command.overrides);
+        if (done_with_parameters(command, parameters))
+          return 0;
+        NumericalPlateTest test(
+          parameters,
+          make_output_directory(command, parameters.output.directory),
+          std::cout);
+        test.run();
+      }
     return 0;
   }
 } // namespace

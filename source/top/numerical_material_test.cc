@@ -1,0 +1,677 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Numerical material testing of a micro cell: the method on one page in run(),
+// its steps below in the order in which they are used.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/iga/iga_values.h>
+#include <npt_dealii/material/composite_bounds.h>
+#include <npt_dealii/output/cell_fields.h>
+#include <npt_dealii/output/replace_file.h>
+#include <npt_dealii/solver/step_control.h>
+#include <npt_dealii/top/numerical_material_test.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <iomanip>
+#include <sstream>
+
+namespace NPT
+{
+  using dealii::FullMatrix;
+  using dealii::Tensor;
+  using dealii::Vector;
+
+  namespace
+  {
+    constexpr unsigned int n_macro = SolidMacroUnknowns::n_macro;
+
+    double
+    process_cpu_seconds()
+    {
+      return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    }
+
+    std::string
+    format(const double value, const int digits = 5)
+    {
+      std::ostringstream text;
+      text << std::setprecision(digits) << value;
+      return text.str();
+    }
+
+    void
+    report_fit(const IdentificationResult       &result,
+               const std::vector<MaterialCurve> &curves,
+               const IdentificationParameters   &parameters,
+               const std::string                &directory,
+               const bool                        picture,
+               RunLog                           &log)
+    {
+      for (const std::string &line : describe(result))
+        log.line(line);
+      std::string published = "Table 1 (sign of d corrected) on these curves, "
+                              "rms error [%]:";
+      for (const auto &error :
+           curve_errors(curves, parameters, FiberBundleConstants()))
+        published += " " + error.name + " " + format(100. * error.rms, 3) + ";";
+      published.back() = '.';
+      log.line(published);
+      if (directory.empty())
+        return;
+      write_material_file(directory + "/bundle_material.prm", result);
+      const std::string warning =
+        write_fit(directory, curves, result.constants, picture);
+      if (!warning.empty())
+        log.warning(warning);
+      log.line("Written: " + directory + "/bundle_material.prm");
+    }
+  } // namespace
+
+
+
+  NumericalMaterialTest::NumericalMaterialTest(
+    const MaterialTestParameters &parameters,
+    const std::string            &directory,
+    std::ostream                 &screen)
+    : parameters_(parameters)
+    , directory_(directory)
+    , log_(directory.empty() ? "" : directory + "/log.txt",
+           screen,
+           directory.empty() ? false : standard_output_is_terminal(),
+           directory.empty())
+    , cpu_start_(process_cpu_seconds())
+    , macro_(0)
+  {}
+
+
+
+  void
+  NumericalMaterialTest::run()
+  {
+    make_micro_cell(); // array of fibers -> NURBS patches -> one space
+    setup_system();    // gradients, periodicity with H as macro unknowns
+    compute_moduli();  // static condensation at the natural state
+
+    for (const MaterialTest &test : parameters_.programme.tests)
+      run_test(test); // from the natural state to the targets
+
+    if (parameters_.identify && !rows_.empty())
+      identify_bundle_law(); // constrained linear least squares
+    log_.line("CPU time " + format(process_cpu_seconds() - cpu_start_, 3) +
+              " s");
+  }
+
+
+
+  void
+  NumericalMaterialTest::run_test(const MaterialTest &test)
+  {
+    begin_test(test); // which components are prescribed; state zero
+    StepControl control(test.steps, test.name);
+    while (!control.finished())
+      {
+        const double trial = control.trial();
+        if (!solve_load_step(test, trial))
+          {
+            control.reject(failure_reason_); // throws if the step is too small
+            log_.cut(test.name, trial, failure_reason_, control.step());
+            continue;
+          }
+        accept_load_step(test, trial); // stresses, energy, one row
+        control.accept(report_.iterations);
+      }
+    if (parameters_.output.fields && !directory_.empty())
+      output_fields(test);
+  }
+
+
+
+  // ---------------------------------------------------------------- set-up
+
+  void
+  NumericalMaterialTest::make_micro_cell()
+  {
+    cell_ = std::make_unique<FiberArray>(parameters_.cell, parameters_.mesh);
+    const std::vector<unsigned int> one_body(cell_->patches().size(), 0);
+    space_ = std::make_unique<IGASpace<3>>(cell_->patches(),
+                                           one_body,
+                                           parameters_.mesh.basis);
+    macro_ = SolidMacroUnknowns(space_->n_control_points());
+
+    Tensor<1, 3> fiber_direction;
+    fiber_direction[0] = 1.;
+    for (unsigned int b = 0; b < space_->n_patches(); ++b)
+      laws_.push_back(make_material<3>(cell_->is_fiber(b) ? parameters_.fiber :
+                                                            parameters_.matrix,
+                                       fiber_direction));
+  }
+
+
+
+  void
+  NumericalMaterialTest::setup_system()
+  {
+    system_.reinit(make_solid_couplings(*space_,
+                                        macro_,
+                                        cell_->periods(),
+                                        parameters_.uniform_along_fiber ? 0 :
+                                                                          -1),
+                   macro_.n_unknowns());
+
+    // Total Lagrangian: gradients in the reference configuration are computed
+    // once for all.
+    IGAValues<3> values(*space_);
+    for (unsigned int c = 0; c < space_->cells().size(); ++c)
+      {
+        values.reinit(c);
+        CellGradients cell;
+        cell.n_functions = values.dofs_per_cell();
+        cell.n_points    = values.n_quadrature_points();
+        for (unsigned int q = 0; q < cell.n_points; ++q)
+          {
+            cell.jxw.push_back(values.JxW(q));
+            for (unsigned int A = 0; A < cell.n_functions; ++A)
+              cell.values.push_back(values.shape_value(A, q));
+            for (unsigned int J = 0; J < 3; ++J)
+              for (unsigned int A = 0; A < cell.n_functions; ++A)
+                cell.gradients.push_back(values.shape_grad(A, q)[J]);
+          }
+        std::vector<unsigned int> unknowns;
+        for (unsigned int i = 0; i < 3; ++i)
+          for (const unsigned int A : values.control_points())
+            unknowns.push_back(3 * A + i);
+        system_.add_group(unknowns);
+        cell_unknowns_.push_back(unknowns);
+        gradients_.push_back(std::move(cell));
+      }
+    system_.build_pattern({});
+    linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
+    u_.reinit(macro_.n_unknowns());
+
+    log_.header(
+      "Numerical material test",
+      {{"fibers in the cell", std::to_string(parameters_.cell.n_fibers)},
+       {"volume fraction", format(parameters_.cell.volume_fraction)},
+       {"ligament / spacing",
+        format(cell_->ligament() / parameters_.cell.fiber_spacing)},
+       {"patches", std::to_string(space_->n_patches())},
+       {"cells", std::to_string(space_->cells().size())},
+       {"independent unknowns", std::to_string(system_.n_independent())}});
+    if (directory_.empty())
+      return;
+    replace_file(directory_ + "/used_parameters.prm",
+                 [&](std::ostream &out) { out << parameters_.used_file; });
+    std::vector<std::string> columns{"test", "load_factor"};
+    for (const std::string kind : {"H", "P"})
+      for (unsigned int e = 0; e < 9; ++e)
+        columns.push_back(kind + std::to_string(e / 3 + 1) +
+                          std::to_string(e % 3 + 1));
+    for (const std::string name : {"P12_sym",
+                                   "P23_sym",
+                                   "P31_sym",
+                                   "energy",
+                                   "work",
+                                   "mean_J",
+                                   "newton_iterations",
+                                   "newton_order"})
+      columns.push_back(name);
+    table_ = std::make_unique<TableWriter>(
+      directory_ + "/material_tests.csv",
+      columns,
+      std::vector<std::string>{
+        "Numerical material tests of a micro cell, fibers along direction 1.",
+        "H: macroscopic displacement gradient [-]; P: first Piola-Kirchhoff "
+        "stress [MPa], P12_sym = (P12 + P21)/2; energy and work per reference "
+        "volume [MPa]."});
+  }
+
+
+
+  void
+  NumericalMaterialTest::compute_moduli()
+  {
+    u_trial_ = u_;
+    assemble(u_, nullptr);
+    const FullMatrix<double> A = macroscopic_tangent();
+
+    // Strain 23 as e_23 = e_32 = gamma/2: with minor symmetry the Voigt entry
+    // is any of the four; the mean takes out round-off.
+    const std::array<std::array<unsigned int, 2>, 6> pair = {
+      {{{0, 0}}, {{4, 4}}, {{8, 8}}, {{5, 7}}, {{6, 2}}, {{1, 3}}}};
+    stiffness_.reinit(6, 6);
+    for (unsigned int a = 0; a < 6; ++a)
+      for (unsigned int b = 0; b < 6; ++b)
+        for (const unsigned int e : pair[a])
+          for (const unsigned int f : pair[b])
+            stiffness_(a, b) += 0.25 * A(e, f);
+
+    FullMatrix<double> S(6, 6);
+    S.invert(stiffness_);
+    const double E1 = 1. / S(0, 0);
+    log_.line("Small strain: E_1 = " + format(E1) + ", E_2 = " +
+              format(1. / S(1, 1)) + ", E_3 = " + format(1. / S(2, 2)) +
+              ", G_12 = " + format(stiffness_(5, 5)) +
+              ", G_31 = " + format(stiffness_(4, 4)) +
+              ", G_23 = " + format(stiffness_(3, 3)) +
+              " MPa, nu_12 = " + format(-S(1, 0) * E1) +
+              ", nu_23 = " + format(-S(2, 1) / S(1, 1)) + ", (C22 - C23)/2 = " +
+              format(0.5 * (stiffness_(1, 1) - stiffness_(1, 2))) + " MPa");
+    if (parameters_.fiber.law == MaterialParameters::Law::neo_hookean &&
+        parameters_.matrix.law == MaterialParameters::Law::neo_hookean)
+      {
+        const CompositeBounds b =
+          unidirectional_bounds(parameters_.cell.volume_fraction,
+                                parameters_.fiber.young_modulus,
+                                parameters_.fiber.poisson_ratio,
+                                parameters_.matrix.young_modulus,
+                                parameters_.matrix.poisson_ratio);
+        const auto interval = [](const Interval &i) {
+          return "[" + format(i.lower) + ", " + format(i.upper) + "]";
+        };
+        log_.line("Bounds (transverse isotropy): E_1 " + interval(b.E_L) +
+                  ", E_2 " + interval(b.E_T) + ", G_12 " + interval(b.G_L) +
+                  ", G_23 " + interval(b.G_T) + " MPa");
+      }
+    if (directory_.empty())
+      return;
+    TableWriter                      table(directory_ + "/stiffness.csv",
+                      {"C", "11", "22", "33", "23", "31", "12"},
+                      {"Small-strain stiffness [MPa], engineering shears."});
+    const std::array<std::string, 6> names = {
+      {"11", "22", "33", "23", "31", "12"}};
+    for (unsigned int a = 0; a < 6; ++a)
+      {
+        std::vector<TableCell> row{names[a]};
+        for (unsigned int b = 0; b < 6; ++b)
+          row.emplace_back(stiffness_(a, b));
+        table.add_row(row);
+      }
+  }
+
+
+
+  // ------------------------------------------------------------- load steps
+
+  void
+  NumericalMaterialTest::begin_test(const MaterialTest &test)
+  {
+    u_           = 0;
+    u_previous_  = u_;
+    load_factor_ = load_factor_previous_ = 0;
+    has_previous_                        = false;
+
+    std::vector<bool> prescribed(system_.n_independent(), false);
+    for (unsigned int e = 0; e < n_macro; ++e)
+      prescribed[system_.independent_index(macro_.first + e)] =
+        !test.stress_controlled[e];
+    system_.set_prescribed(prescribed);
+
+    MaterialTestRow natural_state;
+    natural_state.test = test.name;
+    rows_.push_back(natural_state);
+    log_.line("Test " + test.name);
+  }
+
+
+
+  bool
+  NumericalMaterialTest::solve_load_step(const MaterialTest &test,
+                                         const double        load_factor)
+  {
+    const auto free = [&](const unsigned int k) {
+      return system_.free_unknown(k);
+    };
+    Vector<double> m_accepted, m_target;
+    system_.restrict_to_independent(u_, m_accepted);
+    m_target = m_accepted;
+    for (unsigned int e = 0; e < n_macro; ++e)
+      if (!test.stress_controlled[e])
+        m_target[system_.independent_index(macro_.first + e)] =
+          load_factor * test.target[e];
+
+    // Newton's unknowns are the free ones; the rest of m is on its target.
+    Vector<double> m        = m_target, condensed;
+    const auto     residual = [&](const Vector<double> &x, Vector<double> &r) {
+      for (unsigned int k = 0; k < system_.n_free(); ++k)
+        m[free(k)] = x[k];
+      system_.expand(m, u_trial_);
+      assemble(u_trial_, &residual_);
+      // Prescribed stresses act on the macro unknowns.
+      for (unsigned int e = 0; e < n_macro; ++e)
+        if (test.stress_controlled[e])
+          residual_[macro_.first + e] -=
+            load_factor * test.target[e] * cell_->volume();
+      system_.condense(residual_, condensed);
+      r.reinit(system_.n_free());
+      for (unsigned int k = 0; k < system_.n_free(); ++k)
+        r[k] = condensed[free(k)];
+    };
+    const auto prepare_tangent = [&](const Vector<double> &) {
+      assemble(u_trial_, nullptr);
+      linear_solver_->factorize(system_.free_matrix());
+    };
+    const auto solve = [&](const Vector<double> &rhs, Vector<double> &dx) {
+      linear_solver_->solve(rhs, dx);
+    };
+
+    // The first step follows the tangent at the natural state, later ones the
+    // line through the last two states.
+    const auto predict = [&](Vector<double> &x) {
+      Vector<double> x_accepted(system_.n_free()), r;
+      for (unsigned int k = 0; k < system_.n_free(); ++k)
+        x_accepted[k] = m_accepted[free(k)];
+      if (has_previous_)
+        {
+          Vector<double> m_previous;
+          system_.restrict_to_independent(u_previous_, m_previous);
+          const double ratio = (load_factor - load_factor_) /
+                               (load_factor_ - load_factor_previous_);
+          x = x_accepted;
+          for (unsigned int k = 0; k < system_.n_free(); ++k)
+            x[k] += ratio * (m_accepted[free(k)] - m_previous[free(k)]);
+          return;
+        }
+      m = m_accepted;
+      residual(x_accepted, r);
+      prepare_tangent(x_accepted);
+      Vector<double> increment(m_target), K_increment, rhs(system_.n_free());
+      increment -= m_accepted;
+      system_.matrix().vmult(K_increment, increment);
+      for (unsigned int k = 0; k < system_.n_free(); ++k)
+        rhs[k] = -r[k] - K_increment[free(k)];
+      solve(rhs, x);
+      x += x_accepted;
+      m = m_target;
+    };
+
+    // Only failures of the LoadStepFailure family are survivable.
+    try
+      {
+        Vector<double> x(system_.n_free());
+        predict(x);
+        NewtonProblem problem;
+        problem.residual        = residual;
+        problem.prepare_tangent = prepare_tangent;
+        problem.solve           = solve;
+        problem.force_scale     = [&]() { return force_scale_; };
+        report_                 = solve_newton(parameters_.newton, problem, x);
+        return true;
+      }
+    catch (const LoadStepFailure &failure)
+      {
+        failure_reason_ = failure.what();
+        // The extrapolation may have been the culprit.
+        has_previous_ = false;
+        return false;
+      }
+  }
+
+
+
+  void
+  NumericalMaterialTest::accept_load_step(const MaterialTest &test,
+                                          const double        load_factor)
+  {
+    MaterialTestRow row;
+    row.test         = test.name;
+    row.load_factor  = load_factor;
+    row.iterations   = report_.iterations;
+    row.newton_order = report_.order();
+
+    // Reactions of the macro unknowns. The residual has the prescribed stress
+    // taken off already.
+    Vector<double> reactions;
+    system_.condense(residual_, reactions);
+    for (unsigned int e = 0; e < n_macro; ++e)
+      {
+        row.H[e / 3][e % 3] = u_trial_[macro_.first + e];
+        row.P[e / 3][e % 3] =
+          reactions[system_.independent_index(macro_.first + e)] /
+            cell_->volume() +
+          (test.stress_controlled[e] ? load_factor * test.target[e] : 0.);
+      }
+    const MaterialTestRow &last = rows_.back();
+    row.work = last.work + 0.5 * scalar_product(row.P + last.P, row.H - last.H);
+
+    u_previous_           = u_;
+    load_factor_previous_ = load_factor_;
+    u_                    = u_trial_;
+    load_factor_          = load_factor;
+    has_previous_         = true;
+    compute_averages(row);
+    rows_.push_back(row);
+
+    std::ostringstream text;
+    text << "  " << std::fixed << std::setprecision(3) << load_factor << "  "
+         << std::setw(2) << row.iterations << " iterations, P =";
+    for (unsigned int e = 0; e < n_macro; ++e)
+      text << ' ' << std::setprecision(4) << row.P[e / 3][e % 3];
+    log_.line(text.str());
+    if (!table_)
+      return;
+    std::vector<TableCell> cells{row.test, row.load_factor};
+    for (const auto &T : {row.H, row.P})
+      for (unsigned int e = 0; e < n_macro; ++e)
+        cells.emplace_back(T[e / 3][e % 3]);
+    for (const auto &[i, j] : {std::make_pair(0, 1), {1, 2}, {2, 0}})
+      cells.emplace_back(0.5 * (row.P[i][j] + row.P[j][i]));
+    for (const double value : {row.energy, row.work, row.mean_J})
+      cells.emplace_back(value);
+    cells.emplace_back(row.iterations);
+    cells.emplace_back(row.newton_order);
+    table_->add_row(cells);
+  }
+
+
+
+  // -------------------------------------------------------------- assembly
+
+  void
+  NumericalMaterialTest::cell_displacement(const unsigned int    c,
+                                           const Vector<double> &u,
+                                           std::vector<double>  &w) const
+  {
+    w.resize(cell_unknowns_[c].size());
+    for (unsigned int a = 0; a < w.size(); ++a)
+      w[a] = u[cell_unknowns_[c][a]];
+  }
+
+
+
+  /*
+   * Virtual work of fibers and matrix, int delta F : P dV, or (residual null)
+   * its linearization into the system's matrix. The kernel in room `material`
+   * owns the integral over one cell.
+   */
+  void
+  NumericalMaterialTest::assemble(const Vector<double> &u,
+                                  Vector<double>       *residual)
+  {
+    if (residual != nullptr)
+      residual->reinit(macro_.n_unknowns());
+    else
+      system_.set_zero();
+
+    std::vector<double> w, f, K;
+    double              scale2 = 0;
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      {
+        const unsigned int patch = space_->cells()[c].patch;
+        cell_displacement(c, u, w);
+        try
+          {
+            kernel_.evaluate(*laws_[patch],
+                             gradients_[c],
+                             w,
+                             f,
+                             residual == nullptr ? &K : nullptr);
+          }
+        catch (const InvertedCell &)
+          {
+            throw InvertedCell("cell " + std::to_string(c) + " in the " +
+                               (cell_->is_fiber(patch) ? "fiber" : "matrix"));
+          }
+        if (residual == nullptr)
+          system_.add(c, K);
+        else
+          for (unsigned int a = 0; a < f.size(); ++a)
+            {
+              (*residual)[cell_unknowns_[c][a]] += f[a];
+              scale2 += f[a] * f[a];
+            }
+      }
+    if (residual != nullptr)
+      force_scale_ = std::sqrt(scale2);
+  }
+
+
+
+  // --------------------------------------------------------------- results
+
+  void
+  NumericalMaterialTest::compute_averages(MaterialTestRow &row) const
+  {
+    std::vector<double> w;
+    double              F[9], P[9], volume = 0, current_volume = 0;
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      {
+        const CellGradients      &cell = gradients_[c];
+        const HyperelasticLaw<3> &law  = *laws_[space_->cells()[c].patch];
+        cell_displacement(c, u_, w);
+        row.energy += SolidKernel::energy(law, cell, w) / cell_->volume();
+        for (unsigned int q = 0; q < cell.n_points; ++q)
+          {
+            SolidKernel::deformation_gradient(cell, w, q, F);
+            law.stress(F, P);
+            Tensor<2, 3> tensor_F;
+            for (unsigned int e = 0; e < 9; ++e)
+              {
+                row.P_average[e / 3][e % 3] +=
+                  P[e] * cell.jxw[q] / cell_->volume();
+                tensor_F[e / 3][e % 3] = F[e];
+              }
+            volume += cell.jxw[q];
+            current_volume += determinant(tensor_F) * cell.jxw[q];
+          }
+      }
+    row.mean_J = current_volume / volume;
+  }
+
+
+
+  FullMatrix<double>
+  NumericalMaterialTest::macroscopic_tangent()
+  {
+    assemble(u_, nullptr);
+    std::vector<bool> prescribed(system_.n_independent(), false);
+    for (unsigned int e = 0; e < n_macro; ++e)
+      prescribed[system_.independent_index(macro_.first + e)] = true;
+    system_.set_prescribed(prescribed);
+    linear_solver_->factorize(system_.free_matrix());
+
+    FullMatrix<double> A(n_macro, n_macro);
+    for (unsigned int e = 0; e < n_macro; ++e)
+      {
+        // Response of the cell to a unit of H_e: column K_{.H} + K_{.f} x.
+        Vector<double> unit(system_.n_independent()), column, x;
+        unit[system_.independent_index(macro_.first + e)] = 1.;
+        system_.matrix().vmult(column, unit);
+        Vector<double> rhs(system_.n_free());
+        for (unsigned int k = 0; k < system_.n_free(); ++k)
+          rhs[k] = -column[system_.free_unknown(k)];
+        linear_solver_->solve(rhs, x);
+        for (unsigned int k = 0; k < system_.n_free(); ++k)
+          unit[system_.free_unknown(k)] = x[k];
+        system_.matrix().vmult(column, unit);
+        for (unsigned int f = 0; f < n_macro; ++f)
+          A(f, e) = column[system_.independent_index(macro_.first + f)] /
+                    cell_->volume();
+      }
+    return A;
+  }
+
+
+
+  std::vector<MaterialCurve>
+  NumericalMaterialTest::curves() const
+  {
+    std::vector<MaterialCurve> result;
+    for (const MaterialTestRow &row : rows_)
+      {
+        if (result.empty() || result.back().name != row.test)
+          {
+            result.emplace_back();
+            result.back().name = row.test;
+          }
+        result.back().H.push_back(row.H);
+        result.back().P.push_back(row.P);
+      }
+    return result;
+  }
+
+
+
+  void
+  NumericalMaterialTest::identify_bundle_law()
+  {
+    log_.line("Identification of the fiber bundle law (50)-(53)");
+    identified_ = std::make_unique<IdentificationResult>(
+      identify(curves(), parameters_.identification));
+    report_fit(*identified_,
+               curves(),
+               parameters_.identification,
+               directory_,
+               parameters_.output.picture,
+               log_);
+  }
+
+
+
+  void
+  NumericalMaterialTest::output_fields(const MaterialTest &test) const
+  {
+    std::string name = "cell-" + test.name + ".vtu";
+    std::replace(name.begin(), name.end(), ' ', '-');
+    write_vtu(directory_ + "/" + name,
+              make_bundle_fields(*space_, laws_, gradients_, u_));
+  }
+
+
+
+  IdentificationResult
+  run_identification(const IdentificationRunParameters &parameters,
+                     const std::string                 &directory,
+                     std::ostream                      &screen)
+  {
+    RunLog log(directory.empty() ? "" : directory + "/log.txt",
+               screen,
+               directory.empty() ? false : standard_output_is_terminal(),
+               directory.empty());
+    if (!directory.empty())
+      replace_file(directory + "/used_parameters.prm",
+                   [&](std::ostream &out) { out << parameters.used_file; });
+    std::vector<MaterialCurve> curves;
+    for (const std::string &file : parameters.files)
+      for (MaterialCurve &curve : read_material_curves(file))
+        {
+          for (const MaterialCurve &other : curves)
+            if (other.name == curve.name)
+              throw InputError("The curve '" + curve.name + "' of " + file +
+                               " exists already; give every curve a name of "
+                               "its own (entry Files, subsection Data).");
+          curves.push_back(curve);
+        }
+    log.header("Identification of the fiber bundle law (50)-(53)",
+               {{"curves", std::to_string(curves.size())}});
+    const IdentificationResult result =
+      identify(curves, parameters.identification);
+    report_fit(result,
+               curves,
+               parameters.identification,
+               directory,
+               parameters.output.picture,
+               log);
+    return result;
+  }
+} // namespace NPT
