@@ -53,7 +53,7 @@ namespace NPT
   namespace
   {
     void
-    declare_all(dealii::ParameterHandler &      prm,
+    declare_all(dealii::ParameterHandler       &prm,
                 const std::vector<std::string> &stages)
     {
       prm.declare_entry("Problem",
@@ -83,7 +83,8 @@ namespace NPT
       const FabricCell cell(parameters.cell, parameters.mesh);
       for (const LoadStage &stage : parameters.load_programme.stages)
         {
-          const auto check = [&](const unsigned int n, const std::string &letter) {
+          const auto check = [&](const unsigned int n,
+                                 const std::string &letter) {
             if (!cell.represents_mode(n))
               throw InputError(
                 "Stage " + stage.name + " prescribes " + letter +
@@ -105,7 +106,7 @@ namespace NPT
 
 
   Parameters
-  Parameters::read(const ParameterText &           text,
+  Parameters::read(const ParameterText            &text,
                    const std::vector<std::string> &overrides)
   {
     // First pass: the names of the stages, which decide what else there is to

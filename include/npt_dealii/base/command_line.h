@@ -17,8 +17,8 @@ namespace NPT
       run,
       help,
       version,
-      validate,       ///< Read and check the parameters, then stop.
-      print_defaults  ///< Write a documented parameter file, then stop.
+      validate,      ///< Read and check the parameters, then stop.
+      print_defaults ///< Write a documented parameter file, then stop.
     };
 
     Action      action = Action::run;

@@ -6,7 +6,6 @@
 #define npt_dealii_base_csr_matrix_h
 
 #include <deal.II/base/exceptions.h>
-
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
