@@ -203,6 +203,14 @@ namespace NPT
                         "Knot spans along the fiber [-]. One is exact as long "
                         "as the fiber does not buckle, since all sections are "
                         "then alike.");
+      prm.declare_entry(
+        "Additional Gauss points",
+        std::to_string(defaults.additional_gauss_points),
+        Patterns::Integer(0, 10),
+        "Gauss points per direction beyond p + 1 [-]. The circles are "
+        "rational, so that no number of points is exact; on a mesh of 6 "
+        "elements around at 77 % the moduli are wrong by up to 1e-4 with 0, "
+        "2e-6 with 1 and 1e-9 with 2 additional points.");
     }
     prm.leave_subsection();
   }
@@ -213,12 +221,13 @@ namespace NPT
   MicroMeshParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Micro mesh");
-    basis           = basis_from_name(prm.get("Basis"));
-    degree          = prm.get_integer("Degree");
-    elements_around = prm.get_integer("Elements around");
-    elements_fiber  = prm.get_integer("Elements in fiber");
-    elements_matrix = prm.get_integer("Elements in matrix");
-    elements_along  = prm.get_integer("Elements along");
+    basis                   = basis_from_name(prm.get("Basis"));
+    degree                  = prm.get_integer("Degree");
+    elements_around         = prm.get_integer("Elements around");
+    elements_fiber          = prm.get_integer("Elements in fiber");
+    elements_matrix         = prm.get_integer("Elements in matrix");
+    elements_along          = prm.get_integer("Elements along");
+    additional_gauss_points = prm.get_integer("Additional Gauss points");
     prm.leave_subsection();
   }
 

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace NPT
 {
@@ -128,6 +129,7 @@ namespace NPT
           }
       }
     merge_control_points();
+    check_interfaces();
     make_triangulation();
   }
 
@@ -212,6 +214,75 @@ namespace NPT
         tree.insert(added.begin(), added.end());
         local_to_global_.push_back(numbers);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  IGASpace<dim>::check_interfaces() const
+  {
+    // Faces of one body with common corners and a common middle are the same
+    // piece of surface, so they must have the same control points: otherwise
+    // the patches would be sewn together at the corners only.
+    struct Face
+    {
+      unsigned int              patch;
+      Point<dim>                middle;
+      std::vector<unsigned int> control_points;
+    };
+    std::map<std::vector<unsigned int>, std::vector<Face>> faces;
+    for (unsigned int i = 0; i < patches_.size(); ++i)
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            const NURBSPatch<dim>    &patch = patches_[i];
+            Face                      face;
+            std::vector<unsigned int> corners;
+            face.patch = i;
+            for (unsigned int A = 0; A < patch.n_control_points(); ++A)
+              {
+                const auto index = patch.multi_index(A);
+                if (index[d] != side * (patch.n_control_points(d) - 1))
+                  continue;
+                face.control_points.push_back(local_to_global_[i][A]);
+                bool is_corner = true;
+                for (unsigned int e = 0; e < dim; ++e)
+                  is_corner =
+                    is_corner && (index[e] == 0 ||
+                                  index[e] + 1 == patch.n_control_points(e));
+                if (is_corner)
+                  corners.push_back(local_to_global_[i][A]);
+              }
+            std::sort(face.control_points.begin(), face.control_points.end());
+            std::sort(corners.begin(), corners.end());
+
+            Point<dim> u;
+            for (unsigned int e = 0; e < dim; ++e)
+              {
+                const auto &breaks = patch.knot_vector(e).breaks();
+                u[e] = e != d    ? 0.5 * (breaks.front() + breaks.back()) :
+                       side == 0 ? breaks.front() :
+                                   breaks.back();
+              }
+            face.middle = patch.value(u);
+
+            auto &known = faces[corners];
+            for (const Face &other : known)
+              if (other.patch != i &&
+                  other.control_points != face.control_points &&
+                  other.middle.distance(face.middle) <
+                    1e-2 * control_points_[corners.front()].distance(
+                             control_points_[corners.back()]))
+                throw InputError(
+                  "Patches " + std::to_string(other.patch) + " and " +
+                  std::to_string(i) + " of one body meet in a face with " +
+                  std::to_string(other.control_points.size()) + " and " +
+                  std::to_string(face.control_points.size()) +
+                  " control points that do not coincide; refine both alike, "
+                  "with the same degree, knots and weights on the face.");
+            known.push_back(face);
+          }
   }
 
 

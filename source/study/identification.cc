@@ -422,6 +422,8 @@ namespace NPT
           unsigned int n = 0;
           for (unsigned int r = 0; r < c.curve->H.size(); ++r)
             {
+              if (c.curve->H[r].norm() < 1e-12)
+                continue; // as in the fit
               const Tensor<2, 3> difference =
                 bundle_stress(constants, c.curve->H[r]) - c.curve->P[r];
               for (unsigned int e = 0; e < 9; ++e)

@@ -133,6 +133,12 @@ namespace NPT
                         "Residual norm over the norm of the internal forces "
                         "before they cancel, at which Newton has converged "
                         "[-].");
+      // Fibers of a few micrometers have small forces.
+      prm.declare_entry("Absolute tolerance",
+                        "1e-18",
+                        Patterns::Double(0.),
+                        "Residual norm at which Newton has converged in any "
+                        "case [N].");
       prm.leave_subsection();
       LinearSolverParameters::declare_parameters(prm);
       IdentificationParameters::declare_parameters(prm);

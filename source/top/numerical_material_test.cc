@@ -161,7 +161,9 @@ namespace NPT
 
     // Total Lagrangian: gradients in the reference configuration are computed
     // once for all.
-    IGAValues<3> values(*space_);
+    IGAValues<3> values(*space_,
+                        parameters_.mesh.degree + 1 +
+                          parameters_.mesh.additional_gauss_points);
     for (unsigned int c = 0; c < space_->cells().size(); ++c)
       {
         values.reinit(c);
@@ -310,6 +312,7 @@ namespace NPT
     MaterialTestRow natural_state;
     natural_state.test = test.name;
     rows_.push_back(natural_state);
+    write_row(natural_state);
     log_.line("Test " + test.name);
   }
 
@@ -448,6 +451,14 @@ namespace NPT
     for (unsigned int e = 0; e < n_macro; ++e)
       text << ' ' << std::setprecision(4) << row.P[e / 3][e % 3];
     log_.line(text.str());
+    write_row(row);
+  }
+
+
+
+  void
+  NumericalMaterialTest::write_row(const MaterialTestRow &row)
+  {
     if (!table_)
       return;
     std::vector<TableCell> cells{row.test, row.load_factor};
@@ -550,6 +561,7 @@ namespace NPT
                 row.P_average[e / 3][e % 3] +=
                   P[e] * cell.jxw[q] / cell_->volume();
                 tensor_F[e / 3][e % 3] = F[e];
+                row.P_times_F += P[e] * F[e] * cell.jxw[q] / cell_->volume();
               }
             volume += cell.jxw[q];
             current_volume += determinant(tensor_F) * cell.jxw[q];

@@ -55,10 +55,13 @@ namespace NPT
   {
     Basis        basis           = Basis::NURBS;
     unsigned int degree          = 2;
-    unsigned int elements_around = 6; ///< per sector, even or odd
-    unsigned int elements_fiber  = 2; ///< radially, core to interface
-    unsigned int elements_matrix = 2; ///< radially, interface to cell boundary
+    unsigned int elements_around = 8; ///< per sector
+    unsigned int elements_fiber  = 3; ///< radially, core to interface
+    unsigned int elements_matrix = 3; ///< radially, interface to cell boundary
     unsigned int elements_along  = 1; ///< along the fiber
+    /// Gauss points per direction beyond degree + 1: arcs are rational, and
+    /// with too few points even a homogeneous cell is not in equilibrium.
+    unsigned int additional_gauss_points = 1;
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);

@@ -58,6 +58,10 @@ namespace NPT
     /**
      * @param patches The bodies' patches.
      * @param bodies Body number of each patch; empty: every patch is a body.
+     *
+     * Throws InputError if patches of a body meet in a face with different
+     * control points or weights. (A patch that meets a part of a larger face,
+     * a hanging patch, is not noticed: it stays unjoined.)
      */
     IGASpace(const std::vector<NURBSPatch<dim>> &patches,
              const std::vector<unsigned int>    &bodies,
@@ -170,6 +174,8 @@ namespace NPT
   private:
     void
     merge_control_points();
+    void
+    check_interfaces() const;
     void
     make_triangulation();
 

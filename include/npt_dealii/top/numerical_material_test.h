@@ -32,6 +32,7 @@ namespace NPT
     double               energy       = 0; ///< per volume [MPa]
     double               work         = 0; ///< int P:dH by trapezoids [MPa]
     double               mean_J       = 1; ///< <det F>
+    double               P_times_F    = 0; ///< <P : F> [MPa]
     unsigned int         iterations   = 0;
     double               newton_order = 0;
   };
@@ -119,6 +120,9 @@ namespace NPT
     solve_load_step(const MaterialTest &test, const double load_factor);
     void
     accept_load_step(const MaterialTest &test, const double load_factor);
+
+    void
+    write_row(const MaterialTestRow &row);
 
     void
     assemble(const dealii::Vector<double> &u, dealii::Vector<double> *residual);
