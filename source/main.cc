@@ -70,8 +70,7 @@ namespace
           break;
       }
 
-    // Which problem it is decides which entries there are. Any other value is
-    // refused with the rest of the file.
+    // Which problem it is decides which entries there are.
     const ParameterText text = command.parameter_file.empty() ?
                                  ParameterText() :
                                  read_parameter_text(command.parameter_file);
@@ -101,7 +100,7 @@ namespace
                                                  parameters.output.directory),
                            std::cout);
       }
-    else
+    else if (problem == "plate test")
       {
         const auto parameters = Parameters::read(text, command.overrides);
         if (done_with_parameters(command, parameters))
@@ -112,6 +111,13 @@ namespace
           std::cout);
         test.run();
       }
+    else
+      throw InputError(
+        "Problem is '" + problem +
+        "'; it must be plate test, material test or identification" +
+        did_you_mean(problem,
+                     {"plate test", "material test", "identification"}) +
+        ".");
     return 0;
   }
 } // namespace
