@@ -30,6 +30,16 @@ namespace
     return cell;
   }
 
+  // Few cells: geometry is exact on any mesh.
+  MicroMeshParameters
+  coarse(const unsigned int elements_around = 3)
+  {
+    MicroMeshParameters mesh;
+    mesh.elements_around = elements_around;
+    mesh.elements_fiber = mesh.elements_matrix = 1;
+    return mesh;
+  }
+
   IGASpace<3>
   space_of(const FiberArray &array, const Basis basis = Basis::NURBS)
   {
@@ -47,7 +57,7 @@ namespace
   Volumes
   integrate(const FiberArray  &array,
             const IGASpace<3> &space,
-            const unsigned int n_points = 8)
+            const unsigned int n_points = 6)
   {
     Volumes      volumes;
     IGAValues<3> values(space, n_points);
@@ -68,7 +78,7 @@ namespace
   {
     try
       {
-        FiberArray array(cell, MicroMeshParameters());
+        FiberArray array(cell, coarse());
       }
     catch (const InputError &error)
       {
@@ -90,15 +100,14 @@ TEST_CASE("Cells of fibers have the volume and the fraction asked for",
           if (n > 1 && relative != 0.6)
             continue;
           const double     fraction = relative * volume_fraction_limit(packing);
-          const FiberArray array(cell_of(packing, fraction, n),
-                                 MicroMeshParameters());
+          const FiberArray array(cell_of(packing, fraction, n), coarse());
           const auto       space   = space_of(array);
           const Volumes    volumes = integrate(array, space);
-          // The arc's rational functions are integrated to a few 1e-12.
+          // Six Gauss points leave some 1e-9 of the arcs' rational functions.
           CHECK(volumes.fibers / array.volume() ==
-                Approx(fraction).epsilon(1e-10));
+                Approx(fraction).epsilon(1e-8));
           CHECK(volumes.fibers + volumes.matrix ==
-                Approx(array.volume()).epsilon(1e-10));
+                Approx(array.volume()).epsilon(1e-8));
         }
 }
 
@@ -109,8 +118,8 @@ TEST_CASE("The surface of a fiber is a circle to round-off", "[cell]")
   for (const Packing packing : packings)
     for (const unsigned int degree : {2, 3})
       {
-        MicroMeshParameters mesh;
-        mesh.degree = degree;
+        MicroMeshParameters mesh = coarse();
+        mesh.degree              = degree;
         const FiberArray array(cell_of(packing, 0.77), mesh);
         const double     R = array.parameters().fiber_radius;
         for (unsigned int b = 0; b < array.patches().size(); ++b)
@@ -135,12 +144,10 @@ TEST_CASE("FE_Q on a micro cell converges to its circles", "[cell]")
   double previous = 0.01;
   for (const unsigned int n : {4, 8, 16})
     {
-      MicroMeshParameters mesh;
-      mesh.elements_around = n;
-      const FiberArray array(cell_of(Packing::square, 0.77), mesh);
+      const FiberArray array(cell_of(Packing::square, 0.77), coarse(n));
       const auto       space = space_of(array, Basis::Lagrange);
       const double     error =
-        std::abs(integrate(array, space).fibers / array.volume() - 0.77);
+        std::abs(integrate(array, space, 4).fibers / array.volume() - 0.77);
       // Isoparametric quadratics: order four in the length of an arc, once
       // the graded arcs are short.
       CHECK(error < previous / 7.);
@@ -158,7 +165,7 @@ TEST_CASE("Patches of a micro cell are joined along whole faces", "[cell]")
   // number of unshared faces is that of the polygon's sides plus both ends.
   for (const Packing packing : packings)
     {
-      const FiberArray array(cell_of(packing, 0.77), MicroMeshParameters());
+      const FiberArray array(cell_of(packing, 0.77), coarse());
       const auto       space = space_of(array);
       std::map<std::set<unsigned int>, unsigned int> faces;
       for (unsigned int b = 0; b < space.n_patches(); ++b)
@@ -189,7 +196,7 @@ TEST_CASE("Patches of a micro cell are joined along whole faces", "[cell]")
 TEST_CASE("Patches of one body that meet without matching are refused",
           "[cell]")
 {
-  const FiberArray array(cell_of(Packing::square, 0.6), MicroMeshParameters());
+  const FiberArray           array(cell_of(Packing::square, 0.6), coarse());
   std::vector<NURBSPatch<3>> patches = array.patches();
   patches[0].insert_knots(2, {0.123});
   CHECK_THROWS_WITH(IGASpace<3>(patches,

@@ -43,7 +43,8 @@ TEST_CASE("A homogeneous deformation obeys the couplings of a micro cell",
             cell.n_fibers = n_fibers;
             MicroMeshParameters mesh;
             mesh.elements_around = 2;
-            mesh.elements_along  = 2;
+            mesh.elements_fiber = mesh.elements_matrix = 1;
+            mesh.elements_along                        = 2;
             const FiberArray         array(cell, mesh);
             const auto               space = space_of(array, basis);
             const SolidMacroUnknowns macro(space.n_control_points());

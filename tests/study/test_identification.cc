@@ -48,14 +48,14 @@ namespace
 
   // The six modes of Fig. 8.
   std::vector<MaterialCurve>
-  six_curves(const FiberBundleConstants &constants)
+  six_curves(const FiberBundleConstants &constants, const unsigned int n = 10)
   {
-    return {curve("tension 1", unit(0, 0), 0.2, constants),
-            curve("tension 2", unit(1, 1), 0.2, constants),
-            curve("tension 3", unit(2, 2), 0.2, constants),
-            curve("shear 12", unit(0, 1), 0.2, constants),
-            curve("shear 23", unit(1, 2), 0.2, constants),
-            curve("shear 31", unit(2, 0), 0.2, constants)};
+    return {curve("tension 1", unit(0, 0), 0.2, constants, n),
+            curve("tension 2", unit(1, 1), 0.2, constants, n),
+            curve("tension 3", unit(2, 2), 0.2, constants, n),
+            curve("shear 12", unit(0, 1), 0.2, constants, n),
+            curve("shear 23", unit(1, 2), 0.2, constants, n),
+            curve("shear 31", unit(2, 0), 0.2, constants, n)};
   }
 
   std::array<double, 6>
@@ -131,17 +131,17 @@ TEST_CASE("With 1 % noise the stated interval holds the constant in 95 % of "
           "the fits",
           "[study]")
 {
-  // 200 fits x 6 constants, correlated within a fit: the fraction has a
-  // standard deviation of at most 1.5 %.
+  // 150 fits x 6 constants, correlated within a fit: the fraction has a
+  // standard deviation of at most 1.8 %.
   const FiberBundleConstants       truth;
-  const auto                       exact = six_curves(truth);
+  const auto                       exact = six_curves(truth, 3);
   std::mt19937                     generator(11);
   std::normal_distribution<double> normal;
   IdentificationParameters         parameters;
   parameters.elliptic          = false; // the slow part, and inactive here
   unsigned int          inside = 0, n = 0;
   std::array<double, 6> mean_square{}, mean_error{};
-  for (unsigned int fit = 0; fit < 200; ++fit)
+  for (unsigned int fit = 0; fit < 150; ++fit)
     {
       auto curves = exact;
       for (auto &c : curves)
@@ -161,8 +161,8 @@ TEST_CASE("With 1 % noise the stated interval holds the constant in 95 % of "
             to_array(result.constants)[k] - to_array(truth)[k];
           inside += std::abs(error) <= result.confidence[k];
           ++n;
-          mean_square[k] += error * error / 200.;
-          mean_error[k] += result.standard_error[k] / 200.;
+          mean_square[k] += error * error / 150.;
+          mean_error[k] += result.standard_error[k] / 150.;
         }
     }
   const double fraction = static_cast<double>(inside) / n;
@@ -229,10 +229,10 @@ TEST_CASE("Data of an unstable law give the nearest stable one", "[study]")
   std::mt19937                           generator(2);
   std::uniform_real_distribution<double> entry(-1., 1.);
   unsigned int                           stable = 0;
-  for (unsigned int n = 0; n < 500; ++n)
+  for (unsigned int n = 0; n < 300; ++n)
     {
       auto         c    = result.constants;
-      const double size = std::pow(10., -2. + 3. * n / 500.);
+      const double size = std::pow(10., -2. + 3. * n / 300.);
       c.mu += size * entry(generator);
       c.lambda += size * entry(generator);
       c.a += size * entry(generator);
@@ -255,6 +255,8 @@ TEST_CASE("Data of an unstable law give the nearest stable one", "[study]")
       for (const auto &one : curves)
         for (const auto &H : one.H)
           {
+            if (lowest < parameters.stability_margin)
+              break; // not admissible: that is all there is to know
             Tensor<2, 3> F = H;
             for (unsigned int i = 0; i < 3; ++i)
               F[i][i] += 1.;
@@ -263,7 +265,7 @@ TEST_CASE("Data of an unstable law give the nearest stable one", "[study]")
           }
       CHECK(lowest < parameters.stability_margin);
     }
-  CHECK(stable > 30);
+  CHECK(stable > 20);
 
   parameters.positive_definite = parameters.elliptic = false;
   CHECK(distance(identify(curves, parameters).constants, printed) < 1e-8);
