@@ -112,6 +112,7 @@ namespace NPT
     // geometry itself.
     static thread_local ClosestPoint<dim> trial;
     c.found       = false;
+    c.blended     = false;
     c.on_boundary = false;
     evaluate_geometry(surface, positions, point, u, span, 2, c);
     double       distance2 = c.r.norm_square();
@@ -234,8 +235,12 @@ namespace NPT
             for (int k = 0; k < m; ++k)
               {
                 c.free[k] = free[k];
-                if (!free[k] &&
-                    (u[k] <= domain[k].first || u[k] >= domain[k].second))
+                // Where another piece of the strand continues the surface,
+                // its end is not a boundary of the body.
+                if (!free[k] && ((u[k] <= domain[k].first &&
+                                  !(k == 0 && surface.neighbor(0) >= 0)) ||
+                                 (u[k] >= domain[k].second &&
+                                  !(k == 0 && surface.neighbor(1) >= 0))))
                   c.on_boundary = true;
               }
             break;
@@ -285,7 +290,7 @@ namespace NPT
     if (!c.found)
       return;
 
-    if (third_derivatives)
+    if (third_derivatives || c.on_boundary)
       evaluate_geometry(surface, positions, point, u, span, 3, c);
 
     bool all_free = true;
@@ -302,14 +307,31 @@ namespace NPT
       }
 
     // Edge or corner. Beyond the boundary of the surface the point is outside
-    // of the body (open). At a C0 knot the mean of the adjacent normals tells
-    // inside from outside.
+    // of the body (open). Below the tangent plane that would make the gap of a
+    // penetrating point that slides over the edge jump from -d to +d; the
+    // blend (A7), -|r| cos(2 theta) with the angle theta of r against the
+    // inner normal, is C1 and joins the depth on one side and the distance on
+    // the other. At a C0 knot the mean of the adjacent normals tells inside
+    // from outside.
     double side = 1;
-    if (!c.on_boundary)
+    c.blended   = false;
+    if (c.on_boundary)
+      {
+        const double depth = n * c.r;
+        if (depth < 0)
+          {
+            c.blended        = true;
+            c.surface_normal = n;
+            c.normal         = c.r / r;
+            c.gap            = r - 2 * depth * depth / r;
+            return;
+          }
+      }
+    else
       {
         Tensor<1, dim> mean = n;
         for (int k = 0; k < m; ++k)
-          if (!c.free[k])
+          if (!c.free[k] && u[k] > domain[k].first && u[k] < domain[k].second)
             {
               Span<m> other = span;
               other[k] += u[k] >= piece[k].second ? 1 : -1;

@@ -54,9 +54,13 @@ namespace NPT
   void
   ContactAssembler<dim>::set_friction(const bool on)
   {
-    // Without friction nothing of the friction machinery is ever touched.
-    friction_on_ = on && friction_law_.coefficient > 0.;
-    history_.traction.assign(nodes_.size(), std::array<double, m>{});
+    // Without friction nothing of the friction machinery is ever touched. The
+    // history begins where friction begins; a stage that finds friction on
+    // already goes on with it.
+    const bool was_on = friction_on_;
+    friction_on_      = on && friction_law_.coefficient > 0.;
+    if (!friction_on_ || !was_on)
+      history_.traction.assign(nodes_.size(), std::array<double, m>{});
   }
 
 
@@ -160,6 +164,33 @@ namespace NPT
                              " finds no closest point on any surface");
       }
     closest.surface = s;
+
+    // At the end of a piece its neighbor on the strand may be closer.
+    if (!closest.free[0])
+      {
+        const auto &breaks = primaries_[s].surface().knot_vector(0).breaks();
+        const unsigned int side = closest.u[0] >= breaks.back() ? 1 : 0;
+        const int          next = primaries_[s].neighbor(side);
+        if (next >= 0 && (side == 1 || closest.u[0] <= breaks.front()))
+          {
+            const auto &next_breaks =
+              primaries_[next].surface().knot_vector(0).breaks();
+            std::array<double, m> u = closest.u;
+            u[0] = side == 1 ? next_breaks.front() : next_breaks.back();
+            ClosestPoint<dim> other;
+            project(primaries_[next],
+                    primary_positions_[next],
+                    x,
+                    u,
+                    friction_on_,
+                    other);
+            if (other.found && other.r.norm() < closest.r.norm() * (1 - 1e-12))
+              {
+                closest         = other;
+                closest.surface = next;
+              }
+          }
+      }
   }
 
 
@@ -221,9 +252,16 @@ namespace NPT
                     metric[SymmetricIndices<m>::second(a, b)] +=
                       entry.weight * (c.a[a] * c.a[b]);
                 const auto &reference = history_.closest[entry.point];
-                if (reference.known && reference.surface == c.surface)
-                  for (int a = 0; a < m; ++a)
-                    state.slip[a] += entry.weight * (c.u[a] - reference.u[a]);
+                if (!reference.known)
+                  continue;
+                const auto &from = primaries_[reference.surface];
+                const auto &to   = primaries_[c.surface];
+                if (reference.surface != c.surface &&
+                    (from.strand() < 0 || from.strand() != to.strand()))
+                  continue;
+                for (int a = 0; a < m; ++a)
+                  state.slip[a] += entry.weight * (c.u[a] - reference.u[a]);
+                state.slip[0] += entry.weight * (to.shift() - from.shift());
               }
             state.friction = friction_law_(history_.traction[I],
                                            state.slip,

@@ -68,9 +68,6 @@ namespace NPT
         H[a][b] = c.a[a] * c.a[b] - c.r * c.x_second[Indices::second(a, b)];
     H_inverse_ = invert_symmetric<m>(H, c.free);
 
-    gap_.fill(0.);
-    add_dot(gap_, 0, c.normal, 1.);
-
     for (int b = 0; b < m; ++b)
       {
         parameter_[b].fill(0.);
@@ -105,6 +102,53 @@ namespace NPT
             distance_[i][k] -= c.a[b][i] * parameter_[b][k];
       }
 
+    gap_.fill(0.);
+    add_dot(gap_, 0, c.normal, 1.);
+    blend_traction_.fill(0.);
+    distance_slope_ = 1.;
+    depth_slope_    = 0.;
+    if (c.blended)
+      {
+        // g = rho - 2 c^2 / rho with rho = |r|, c = n . r, and
+        // delta c = n . J_0 - (r . a^a) n . delta-hat a_a.
+        const Tensor<1, dim> &normal = c.surface_normal;
+        const double          rho = c.r.norm(), depth = normal * c.r;
+        distance_slope_ = 1. + 2. * depth * depth / (rho * rho);
+        depth_slope_    = -4. * depth / rho;
+
+        SurfaceMatrix<m> metric;
+        for (int a = 0; a < m; ++a)
+          for (int b = 0; b < m; ++b)
+            metric[a][b] = c.a[a] * c.a[b];
+        inverse_metric_ = invert_symmetric<m>(metric);
+        depth_.fill(0.);
+        add_dot(depth_, 0, normal, 1.);
+        for (int a = 0; a < m; ++a)
+          {
+            turn_[a].fill(0.);
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int k = 0; k < n; ++k)
+                turn_[a][k] += normal[i] * tangent_[a][i][k];
+          }
+        for (int a = 0; a < m; ++a)
+          for (int b = 0; b < m; ++b)
+            for (unsigned int k = 0; k < n; ++k)
+              depth_[k] -= inverse_metric_[a][b] * (c.r * c.a[a]) * turn_[b][k];
+        for (int a = 0; a < m; ++a)
+          {
+            rho_raised_[a] = 0;
+            for (int b = 0; b < m; ++b)
+              rho_raised_[a] += inverse_metric_[a][b] * (c.r * c.a[b]);
+          }
+        for (int a = 0; a < m; ++a)
+          for (int b = 0; b < m; ++b)
+            blend_traction_[a] -= depth_slope_ * rho_raised_[b] *
+                                  (normal * c.x_second[Indices::second(a, b)]);
+        rho_ = gap_;
+        for (unsigned int k = 0; k < n; ++k)
+          gap_[k] = distance_slope_ * rho_[k] + depth_slope_ * depth_[k];
+      }
+
     for (int a = 0; a < m; ++a)
       for (int b = a; b < m; ++b)
         {
@@ -135,14 +179,21 @@ namespace NPT
       {
         tau[a] = 0;
         for (int b = 0; b < m; ++b)
-          tau[a] += H_inverse_[a][b] * traction[b];
+          tau[a] +=
+            H_inverse_[a][b] * (traction[b] + pressure * blend_traction_[b]);
         any_traction = any_traction || tau[a] != 0.;
       }
 
     // Both D(delta g) and S_a contain, with v = n and v = a_a,
     //   - v . [ J_c Dxi^c + DJ_c dxi^c + x_,bc dxi^b Dxi^c ],
     // so the vectors are added up first.
-    Tensor<1, dim> v = pressure * c_.normal;
+    // A blended gap is a function of distance and depth, each with a second
+    // variation of its own.
+    Tensor<1, dim> v = pressure * distance_slope_ * c_.normal;
+    if (c_.blended)
+      v += pressure * depth_slope_ * c_.surface_normal;
+    const double distance_pressure = pressure * distance_slope_;
+    const double distance          = c_.blended ? c_.r.norm() : c_.gap;
     for (int a = 0; a < m; ++a)
       v += tau[a] * c_.a[a];
     for (int b = 0; b < m; ++b)
@@ -202,9 +253,9 @@ namespace NPT
               add_symmetric(M,
                             w[a],
                             w[b],
-                            0.5 * pressure * c_.gap * inverse[a][b]);
+                            0.5 * distance_pressure * distance * inverse[a][b]);
 
-        if (!all_free && std::abs(c_.gap) > 1e-12)
+        if (!all_free && std::abs(distance) > 1e-12)
           {
             // Unit vectors orthogonal to n and to the free tangents.
             std::vector<Tensor<1, dim>> basis = {c_.normal};
@@ -227,7 +278,64 @@ namespace NPT
                 for (unsigned int i = 0; i < dim; ++i)
                   for (unsigned int j = 0; j < n; ++j)
                     row[j] += basis[k][i] * distance_[i][j];
-                add_symmetric(M, row, row, 0.5 * pressure / c_.gap);
+                add_symmetric(M, row, row, 0.5 * distance_pressure / distance);
+              }
+          }
+
+        if (c_.blended)
+          {
+            const double depth = c_.surface_normal * c_.r;
+            const double r2    = distance * distance;
+            // Products of the first variations.
+            add_symmetric(M,
+                          rho_,
+                          rho_,
+                          -2. * pressure * depth * depth / (r2 * distance));
+            add_symmetric(M, rho_, depth_, 4. * pressure * depth / r2);
+            add_symmetric(M, depth_, depth_, -2. * pressure / distance);
+            // D(delta c) beyond n . D(delta r): the turning normal. With
+            // rho^b = r . a^b and delta n = - w^b a_b,
+            //   r . D(delta n) = - c w^b w_b + w^d (rho^b a_d . delta-hat a_b)
+            //                    (both ways) - rho^b n . D(delta-hat a_b),
+            // the last one's D(delta xi) being in tau already.
+            for (int a = 0; a < m; ++a)
+              {
+                Row along{};
+                for (unsigned int i = 0; i < dim; ++i)
+                  for (unsigned int k = 0; k < n; ++k)
+                    along[k] += c_.a[a][i] * distance_[i][k];
+                for (int b = 0; b < m; ++b)
+                  {
+                    const double factor =
+                      pressure * depth_slope_ * inverse_metric_[a][b];
+                    add_symmetric(M, turn_[b], along, -factor);
+                    add_symmetric(M, turn_[a], turn_[b], -0.5 * factor * depth);
+                    Row bend{};
+                    for (int e = 0; e < m; ++e)
+                      for (unsigned int i = 0; i < dim; ++i)
+                        for (unsigned int k = 0; k < n; ++k)
+                          bend[k] +=
+                            rho_raised_[e] * c_.a[a][i] * tangent_[e][i][k];
+                    add_symmetric(M, turn_[b], bend, factor);
+                  }
+                const double along_edge =
+                  -pressure * depth_slope_ * rho_raised_[a];
+                for (int e = 0; e < m; ++e)
+                  if (c_.free[e])
+                    {
+                      Row row{};
+                      add_dot(row,
+                              jet<dim>(a, e),
+                              c_.surface_normal,
+                              along_edge);
+                      for (int f = 0; f < m; ++f)
+                        for (unsigned int k = 0; k < n; ++k)
+                          row[k] += 0.5 * along_edge *
+                                    (c_.surface_normal *
+                                     c_.x_third[Indices::third(a, e, f)]) *
+                                    parameter_[f][k];
+                      add_symmetric(M, row, parameter_[e], 1.);
+                    }
               }
           }
       }

@@ -32,7 +32,11 @@ namespace NPT
     double                      gap         = 0;     ///< (9) [mm], > 0 open
     dealii::Tensor<1, dim>      normal;              ///< unit; gap = normal . r
     dealii::Tensor<1, dim>      r;                   ///< x^s - x^m
-    std::array<dealii::Tensor<1, dim>, m> a;         ///< tangents a_alpha
+    /// The point lies beyond the boundary of the surface and below its tangent
+    /// plane: the gap is the blend of Eq. (A7), `normal` is r/|r|.
+    bool                   blended = false;
+    dealii::Tensor<1, dim> surface_normal;   ///< of the face, if blended
+    std::array<dealii::Tensor<1, dim>, m> a; ///< tangents a_alpha
     std::array<dealii::Tensor<1, dim>, SymmetricIndices<m>::n_second> x_second;
     std::array<dealii::Tensor<1, dim>, SymmetricIndices<m>::n_third>  x_third;
     SurfaceShape<m> shape; ///< functions, up to third order

@@ -59,6 +59,45 @@ namespace NPT
       find_smooth_pieces();
     }
 
+    /**
+     * Place this piece on a longer strand made of several images: the slip of
+     * a point that moves from one piece to the next is the difference of
+     * parameter + shift.
+     *
+     * @param strand Pieces with the same number form one strand.
+     * @param shift Added to the first parameter.
+     * @param before, after Index of the neighboring pieces at the begin and
+     *   the end of the first parameter, or -1.
+     */
+    void
+    set_strand(const int    strand,
+               const double shift,
+               const int    before,
+               const int    after)
+    {
+      strand_       = strand;
+      shift_        = shift;
+      neighbors_[0] = before;
+      neighbors_[1] = after;
+    }
+    int
+    strand() const
+    {
+      return strand_;
+    }
+    double
+    shift() const
+    {
+      return shift_;
+    }
+    /// Piece that continues this one at the begin (0) or end (1) of the first
+    /// parameter, or -1.
+    int
+    neighbor(const unsigned int side) const
+    {
+      return neighbors_[side];
+    }
+
     const IGASurface<dim> &
     surface() const
     {
@@ -128,6 +167,9 @@ namespace NPT
     std::vector<dealii::Point<dim>>                       reference_;
     std::vector<unsigned int>                             first_dof_;
     std::array<std::vector<std::pair<double, double>>, m> smooth_pieces_;
+    int                                                   strand_ = -1;
+    double                                                shift_  = 0;
+    int neighbors_[2]                                             = {-1, -1};
   };
 } // namespace NPT
 
