@@ -4,6 +4,8 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/cell/cell_parameters.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <limits>
 #include <sstream>
 
@@ -23,13 +25,37 @@ namespace NPT
   {
     prm.enter_subsection("Cell");
     {
-      prm.declare_entry("Type",
-                        "sub-unit cell",
-                        Patterns::Selection("sub-unit cell"),
-                        "Which periodic piece of the weave is computed. The "
-                        "sub-unit cell has one crossing and is coupled by the "
-                        "glide plane, Eqs. (47)-(48); it represents H1, H2 and "
-                        "H3 only.");
+      prm.declare_entry(
+        "Type",
+        "automatic",
+        Patterns::Selection("automatic|sub-unit cell|two-crossing cell|unit "
+                            "cell|laminate"),
+        "Which periodic piece is computed. The sub-unit cell has one crossing "
+        "of a plain weave and is coupled by glide planes, Eqs. (47)-(48); it "
+        "represents H1, H2 and H3 only. The two-crossing cell (plain weave) "
+        "and the unit cell (any weave) are coupled by translations and "
+        "represent all six modes. automatic takes the smallest one that is "
+        "valid for the load programme. laminate is a stack of plies without "
+        "contact, to check against classical plate theory.");
+      prm.declare_entry(
+        "Weave",
+        "plain",
+        Patterns::Anything(),
+        "plain, 2/2 twill, 5-harness satin, or a table with one row per weft "
+        "bundle, rows separated by '/', o where the warp is over and u where "
+        "it is under: ou/uo is the plain weave.");
+      prm.declare_entry("Images",
+                        "true",
+                        Patterns::Bool(),
+                        "Let bundles touch the continuation of bundles in "
+                        "neighboring cells, Eq. (49); needed when large shear "
+                        "carries the contact zone over the edge of the cell.");
+      prm.declare_entry("Plies",
+                        "0",
+                        Patterns::List(Patterns::Double(-180., 180.), 1),
+                        "Laminate only: fiber angles of the plies from bottom "
+                        "to top [degrees]. The total thickness is the bundle "
+                        "thickness.");
       prm.declare_entry("Crossing spacing",
                         "5",
                         Patterns::Double(tiny),
@@ -73,7 +99,11 @@ namespace NPT
   CellParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Cell");
-    type             = prm.get("Type");
+    type   = prm.get("Type");
+    weave  = prm.get("Weave");
+    images = prm.get_bool("Images");
+    plies  = dealii::Utilities::string_to_double(
+      dealii::Utilities::split_string_list(prm.get("Plies"), ','));
     crossing_spacing = prm.get_double("Crossing spacing");
     bundle_width     = prm.get_double("Bundle width");
     bundle_thickness = prm.get_double("Bundle thickness");

@@ -9,6 +9,7 @@
 #include <boost/geometry/geometries/point.hpp>
 
 #include <cmath>
+#include <set>
 
 namespace NPT
 {
@@ -29,16 +30,28 @@ namespace NPT
       PointFinder(const FabricCell &cell, const IGASpace<3> &space)
         : tolerance_(1e-7 * cell.parameters().crossing_spacing)
       {
-        std::vector<Entry> entries[2];
+        std::vector<Entry> entries[3];
         for (unsigned int b = 0; b < space.n_patches(); ++b)
-          for (unsigned int l = 0; l < space.patch(b).n_control_points(); ++l)
-            {
-              const unsigned int A = space.control_point(b, l);
-              const auto        &P = space.control_points()[A];
-              entries[static_cast<int>(cell.bundles()[b].family)].emplace_back(
-                BPoint(P[0], P[1], P[2]), A);
-            }
-        for (unsigned int f = 0; f < 2; ++f)
+          boxes_[static_cast<int>(cell.bundles()[b].family)].emplace_back(
+            Point<3>(1e99, 1e99, 1e99), Point<3>(-1e99, -1e99, -1e99));
+        unsigned int n_of_family[3] = {0, 0, 0};
+        for (unsigned int b = 0; b < space.n_patches(); ++b)
+          {
+            const int f   = static_cast<int>(cell.bundles()[b].family);
+            auto     &box = boxes_[f][n_of_family[f]++];
+            for (unsigned int l = 0; l < space.patch(b).n_control_points(); ++l)
+              {
+                const unsigned int A = space.control_point(b, l);
+                const auto        &P = space.control_points()[A];
+                entries[f].emplace_back(BPoint(P[0], P[1], P[2]), A);
+                for (unsigned int i = 0; i < 3; ++i)
+                  {
+                    box.first[i]  = std::min(box.first[i], P[i]);
+                    box.second[i] = std::max(box.second[i], P[i]);
+                  }
+              }
+          }
+        for (unsigned int f = 0; f < 3; ++f)
           trees_[f] = bgi::rtree<Entry, bgi::rstar<16>>(entries[f].begin(),
                                                         entries[f].end());
       }
@@ -57,35 +70,66 @@ namespace NPT
         return found.empty() ? -1 : found[0].second;
       }
 
+      // Whether a position lies inside the box of a bundle of the base cell.
+      bool
+      inside_base_cell(const FiberBundle::Family family,
+                       const Point<3>           &P) const
+      {
+        for (const auto &box : boxes_[static_cast<int>(family)])
+          {
+            bool inside = true;
+            for (unsigned int i = 0; i < 3; ++i)
+              inside = inside && P[i] > box.first[i] + tolerance_ &&
+                       P[i] < box.second[i] - tolerance_;
+            if (inside)
+              return true;
+          }
+        return false;
+      }
+
     private:
-      const double                      tolerance_;
-      bgi::rtree<Entry, bgi::rstar<16>> trees_[2];
+      const double                               tolerance_;
+      bgi::rtree<Entry, bgi::rstar<16>>          trees_[3];
+      std::vector<std::pair<Point<3>, Point<3>>> boxes_[3];
     };
   } // namespace
 
 
 
   dealii::AffineConstraints<double>
-  make_couplings(const FabricCell          &cell,
-                 const IGASpace<3>         &space,
-                 const MacroUnknowns       &macro,
-                 const CouplingOptions     &options,
-                 const std::vector<double> &height)
+  make_couplings(const FabricCell                &cell,
+                 const IGASpace<3>               &space,
+                 const MacroUnknowns             &macro,
+                 const std::vector<GhostSurface> &ghosts,
+                 const std::vector<double>       &height)
   {
     using Affine = OrbitConstraints::Affine;
     OrbitConstraints  orbits(macro.first, MacroUnknowns::n_macro);
     const PointFinder finder(cell, space);
 
-    const auto position = [&](const unsigned int A) {
-      Point<3> Y = space.control_points()[A];
-      if (!height.empty())
-        Y[2] = height[A];
-      return Y;
-    };
-
     std::vector<bool> mode_allowed;
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       mode_allowed.push_back(cell.represents_mode(n));
+
+    // w_m(gY) - Q w_m(Y) per unit of each macro unknown. The height of a
+    // material point turns over with the operation.
+    const auto jump = [&](const unsigned int       A,
+                          const SymmetryOperation &g,
+                          const unsigned int       i) {
+      Point<3> Y = space.control_points()[A];
+      Point<3> Z = g(Y);
+      if (!height.empty())
+        {
+          Y[2] = height[A];
+          Z[2] = g.Q[2] * height[A];
+        }
+      Affine affine(MacroUnknowns::n_macro, 0.);
+      for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+        if (mode_allowed[n])
+          affine[n] = macroscopic_displacement(n, Z)[i] -
+                      g.Q[i] * macroscopic_displacement(n, Y)[i];
+      return affine;
+    };
 
     for (unsigned int b = 0; b < space.n_patches(); ++b)
       {
@@ -95,61 +139,67 @@ namespace NPT
             const unsigned int A = space.control_point(b, l);
             for (const SymmetryOperation &g : cell.operations())
               {
-                const int B =
-                  finder.find(bundle.family, g(space.control_points()[A]));
+                const Point<3> image = g(space.control_points()[A]);
+                const int      B     = finder.find(bundle.family, image);
                 if (B < 0)
-                  continue; // the image lies in a neighboring cell
-                for (unsigned int i = 0; i < 3; ++i)
                   {
-                    // w(gY) = Q w(Y) + w_m(gY) - Q w_m(Y), mode by mode.
-                    Affine affine(MacroUnknowns::n_macro, 0.);
-                    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
-                      if (mode_allowed[n])
-                        affine[n] =
-                          macroscopic_displacement(n, position(B))[i] -
-                          g.Q[i] * macroscopic_displacement(n, position(A))[i];
-                    // Straight bundles are held at side * offset / 2.
-                    if (i == 2)
-                      affine[MacroUnknowns::n_modes] =
-                        0.5 * bundle.side * (1. - g.Q[2]);
-                    orbits.relate(3 * B + i, g.Q[i], 3 * A + i, affine, g.name);
+                    // The image lies in a neighboring cell, or else the mesh
+                    // lacks the symmetry.
+                    if (finder.inside_base_cell(bundle.family, image))
+                      throw std::logic_error(
+                        "The control points of bundle " + std::to_string(b) +
+                        " are not mapped onto control points by: " + g.name +
+                        ".");
+                    continue;
                   }
+                for (unsigned int i = 0; i < 3; ++i)
+                  orbits.relate(
+                    3 * B + i, g.Q[i], 3 * A + i, jump(A, g, i), g.name);
               }
           }
-
-        if (options.hold_end_middles)
-          {
-            // The middle of the end faces moves with half the offset: the mean
-            // of the two middle control points, or the middle one.
-            const NURBSPatch<3> &patch = space.patch(b);
-            const unsigned int   n     = patch.n_control_points(2);
-            for (const unsigned int i : {0u, patch.n_control_points(0) - 1})
-              for (unsigned int j = 0; j < patch.n_control_points(1); ++j)
-                {
-                  Affine             affine(MacroUnknowns::n_macro, 0.);
-                  const unsigned int A =
-                    space.control_point(b, patch.index({{i, j, (n - 1) / 2}}));
-                  const unsigned int B =
-                    space.control_point(b, patch.index({{i, j, n / 2}}));
-                  affine[MacroUnknowns::n_modes] = bundle.side;
-                  orbits.relate(3 * A + 2,
-                                -1.,
-                                3 * B + 2,
-                                affine,
-                                "middle of the end faces");
-                }
-          }
+      }
+    if (cell.needs_vertical_pin())
+      {
+        // Vertical forces on the whole cell are in equilibrium, so this pin is
+        // free of reactions: w3 = -w3.
+        const unsigned int A = space.control_point(0, 0);
+        orbits.relate(3 * A + 2,
+                      -1.,
+                      3 * A + 2,
+                      Affine(MacroUnknowns::n_macro, 0.),
+                      "vertical pin");
       }
 
     dealii::AffineConstraints<double> constraints;
     orbits.write(constraints);
 
-    if (!cell.parameters().two_fold_axis)
+    for (const GhostSurface &ghost : ghosts)
+      for (unsigned int l = 0; l < ghost.control_points.size(); ++l)
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            const unsigned int A    = ghost.control_points[l];
+            const unsigned int line = ghost.first_unknown + 3 * l + i;
+            constraints.add_line(line);
+            constraints.add_entry(line, 3 * A + i, ghost.operation.Q[i]);
+            const Affine affine = jump(A, ghost.operation, i);
+            for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+              if (std::abs(affine[n]) > 1e-14)
+                constraints.add_entry(line, macro.mode(n), affine[n]);
+            if (i == 2)
+              constraints.add_entry(line,
+                                    macro.weaving_offset(),
+                                    ghost.offset_sign);
+          }
+
+    if (!cell.has_two_fold_axis())
       {
-        // Pins w1 = w2 = 0 of each bundle's center, mean over the thickness:
-        // a weighted sum of control points, solved for its largest term.
+        // Pins w1 = w2 = 0 of each body's center, mean over the thickness: a
+        // weighted sum of control points, solved for its largest term.
+        std::set<unsigned int> pinned;
         for (unsigned int b = 0; b < space.n_patches(); ++b)
           {
+            if (!pinned.insert(space.body(b)).second)
+              continue;
             const NURBSPatch<3>                         &patch = space.patch(b);
             std::vector<std::pair<unsigned int, double>> weights;
             std::array<unsigned int, 2>                  span;
@@ -194,22 +244,5 @@ namespace NPT
       }
     constraints.close();
     return constraints;
-  }
-
-
-
-  dealii::Vector<double>
-  straight_bundles(const FabricCell    &cell,
-                   const IGASpace<3>   &space,
-                   const MacroUnknowns &macro,
-                   const double         offset)
-  {
-    dealii::Vector<double> w(macro.n_unknowns());
-    for (unsigned int b = 0; b < space.n_patches(); ++b)
-      for (unsigned int l = 0; l < space.patch(b).n_control_points(); ++l)
-        w[3 * space.control_point(b, l) + 2] =
-          0.5 * cell.bundles()[b].side * offset;
-    w[macro.weaving_offset()] = offset;
-    return w;
   }
 } // namespace NPT

@@ -28,16 +28,22 @@ namespace NPT
 
 
   Tensor<2, 3>
-  contact_dipole(const FabricCell             &cell,
-                 const IGASpace<3>            &space,
-                 const dealii::Vector<double> &contact_force)
+  contact_dipole(const FabricCell                &cell,
+                 const IGASpace<3>               &space,
+                 const std::vector<GhostSurface> &ghosts,
+                 const dealii::Vector<double>    &contact_force)
   {
     Resultants sum;
-    for (unsigned int A = 0; A < space.n_control_points(); ++A)
+    const auto add = [&](const unsigned int first, const dealii::Point<3> &X) {
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
-          sum.N[i][j] +=
-            contact_force[3 * A + i] * space.control_points()[A][j];
+          sum.N[i][j] += contact_force[first + i] * X[j];
+    };
+    for (unsigned int A = 0; A < space.n_control_points(); ++A)
+      add(3 * A, space.control_points()[A]);
+    for (const GhostSurface &ghost : ghosts)
+      for (unsigned int l = 0; l < ghost.reference.size(); ++l)
+        add(ghost.first_unknown + 3 * l, ghost.reference[l]);
     return complete_by_symmetry(cell, sum).N;
   }
 } // namespace NPT

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <ctime>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace NPT
@@ -23,6 +24,10 @@ namespace NPT
 
   namespace
   {
+    // Of the foundation in weaving [N/mm per mm^3 of bundle]: four orders
+    // below the stiffness of contact, so that it moves nothing by itself.
+    const double foundation_stiffness = 0.01;
+
     double
     process_cpu_seconds()
     {
@@ -104,15 +109,16 @@ namespace NPT
     cell_ = std::make_unique<FabricCell>(parameters_.cell, parameters_.mesh);
 
     std::vector<NURBSPatch<3>> patches;
+    std::vector<unsigned int>  bodies;
     for (const FiberBundle &bundle : cell_->bundles())
       {
         patches.push_back(bundle.patch);
+        bodies.push_back(bundle.body);
         laws_.push_back(
           make_material<3>(parameters_.material, bundle.direction));
       }
-    space_ = std::make_unique<IGASpace<3>>(patches,
-                                           std::vector<unsigned int>(),
-                                           parameters_.mesh.basis);
+    space_ =
+      std::make_unique<IGASpace<3>>(patches, bodies, parameters_.mesh.basis);
     macro_ = MacroUnknowns(space_->n_control_points());
   }
 
@@ -158,38 +164,91 @@ namespace NPT
             volume += values.JxW(q);
           }
         multiplicity_.push_back(
-          cell_->multiplicity(dealii::Point<3>(center / volume)));
+          cell_->multiplicity(space_->cells()[c].patch,
+                              dealii::Point<3>(center / volume)));
         gradients_.push_back(std::move(cell));
       }
 
-    // Surfaces that may touch.
+    // Surfaces that may touch: faces of base bundles against images.
+    std::map<std::pair<unsigned int, unsigned int>, const IGASurface<3> *>
+               faces;
     const auto face = [&](const unsigned int bundle, const unsigned int side) {
-      surfaces_.push_back(
-        std::make_unique<IGASurface<3>>(*space_, bundle, 2, side));
-      return ContactSurface<3>(*surfaces_.back());
+      const IGASurface<3> *&surface = faces[{bundle, side}];
+      if (surface == nullptr)
+        {
+          surfaces_.push_back(
+            std::make_unique<IGASurface<3>>(*space_, bundle, 2, side));
+          surface = surfaces_.back().get();
+        }
+      return surface;
     };
     for (const ContactCandidates &pair : cell_->contacts())
       {
-        const auto secondary = face(pair.secondary_bundle, pair.secondary_side);
         std::vector<ContactSurface<3>> primaries;
-        for (const auto &primary : pair.primaries)
-          primaries.push_back(face(primary.first, primary.second));
+        for (const SurfaceImage &image : pair.primaries)
+          {
+            const IGASurface<3> &surface = *face(image.bundle, image.side);
+            GhostSurface         ghost;
+            ghost.operation     = image.operation;
+            ghost.offset_sign   = image.offset_sign;
+            ghost.first_unknown = macro_.n_unknowns();
+            std::vector<unsigned int> first_dof;
+            for (unsigned int l = 0; l < surface.n_control_points(); ++l)
+              {
+                ghost.control_points.push_back(surface.control_point(l));
+                ghost.reference.push_back(
+                  image.operation(surface.reference_position(l)));
+                first_dof.push_back(ghost.first_unknown + 3 * l);
+              }
+            macro_.n_ghosts += 3 * surface.n_control_points();
+            const bool mirrored = image.operation.Q[0] * image.operation.Q[1] *
+                                    image.operation.Q[2] <
+                                  0;
+            primaries.emplace_back(surface,
+                                   ghost.reference,
+                                   first_dof,
+                                   mirrored);
+            ghosts_.push_back(ghost);
+          }
+        // Pieces of one strand continue each other.
+        for (unsigned int i = 0; i < primaries.size(); ++i)
+          {
+            const SurfaceImage &image        = pair.primaries[i];
+            int                 neighbors[2] = {-1, -1};
+            for (unsigned int j = 0; j < primaries.size(); ++j)
+              if (pair.primaries[j].strand == image.strand)
+                {
+                  if (pair.primaries[j].period == image.period - 1)
+                    neighbors[0] = j;
+                  if (pair.primaries[j].period == image.period + 1)
+                    neighbors[1] = j;
+                }
+            primaries[i].set_strand(image.strand,
+                                    image.period,
+                                    neighbors[0],
+                                    neighbors[1]);
+          }
         contacts_.push_back(std::make_unique<ContactAssembler<3>>(
-          secondary,
+          ContactSurface<3>(*face(pair.secondary_bundle, pair.secondary_side)),
           primaries,
           parameters_.contact,
           parameters_.friction,
           parameters_.contact.maximum_penetration *
             parameters_.cell.bundle_thickness,
-          [&](const dealii::Point<3> &X) { return cell_->multiplicity(X); }));
+          [&](const dealii::Point<3> &X) {
+            return cell_->multiplicity(pair.secondary_bundle, X);
+          }));
       }
     linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
 
-    // Start: straight bundles, one thickness apart, just touching.
-    u_ = straight_bundles(*cell_,
-                          *space_,
-                          macro_,
-                          parameters_.cell.bundle_thickness);
+    // Start: straight bundles whose contact partners are held one thickness
+    // apart, so that they just touch.
+    u_.reinit(macro_.n_unknowns());
+    u_[macro_.weaving_offset()] = parameters_.cell.bundle_thickness;
+    for (const GhostSurface &ghost : ghosts_)
+      for (unsigned int l = 0; l < ghost.control_points.size(); ++l)
+        u_[ghost.first_unknown + 3 * l + 2] =
+          ghost.offset_sign * parameters_.cell.bundle_thickness;
 
     if (!directory_.empty())
       {
@@ -222,10 +281,8 @@ namespace NPT
     TimerOutput::Scope timer(timer_, "Set up");
     const bool         weaving = stage.type == LoadStage::Type::weave;
 
-    CouplingOptions options;
-    options.hold_end_middles = weaving;
     const auto constraints =
-      make_couplings(*cell_, *space_, macro_, options, height_);
+      make_couplings(*cell_, *space_, macro_, ghosts_, height_);
     system_.reinit(constraints, macro_.n_unknowns());
     for (unsigned int c = 0; c < cell_unknowns_.size(); ++c)
       if (multiplicity_[c] > 0)
@@ -264,6 +321,25 @@ namespace NPT
       }
     system_.set_prescribed(prescribed);
 
+    // Before contact holds them, the bundles of a cell that is coupled by
+    // translations can float apart vertically. A soft foundation keeps them
+    // during weaving; the release drops it.
+    foundation_.clear();
+    if (weaving && cell_->needs_vertical_pin())
+      {
+        foundation_.assign(space_->n_control_points(), 0.);
+        for (unsigned int c = 0; c < gradients_.size(); ++c)
+          {
+            const CellGradients &cell = gradients_[c];
+            const auto           A    = space_->control_points_of_cell(c);
+            for (unsigned int q = 0; q < cell.n_points; ++q)
+              for (unsigned int a = 0; a < cell.n_functions; ++a)
+                foundation_[A[a]] += multiplicity_[c] *
+                                     cell.values[q * cell.n_functions + a] *
+                                     cell.jxw[q] * foundation_stiffness;
+          }
+      }
+
     // The accepted state must obey the couplings of the new stage: dropping a
     // condition never moves it, and its tiny round-off is removed here.
     Vector<double> m, expanded;
@@ -277,6 +353,8 @@ namespace NPT
                                    " violates the couplings of the stage."));
     u_ += expanded;
 
+    const bool friction_begins = stage.friction && !friction_was_on_;
+    friction_was_on_           = stage.friction;
     for (const auto &contact : contacts_)
       contact->set_friction(stage.friction);
     has_previous_ = false;
@@ -287,7 +365,7 @@ namespace NPT
         shown.push_back(n);
     log_.show_components(shown);
 
-    if (stage.friction)
+    if (friction_begins)
       {
         // Slip starts from here: the present closest points are the reference
         // (zero traction, zero slip).
@@ -490,9 +568,28 @@ namespace NPT
       {
         // Weaving has ended here: from now on bending and torsion refer to
         // the heights of the material points in the woven state.
+        // Measured from their mean, so that they are cell-centered wherever
+        // the pin has put the cell.
         height_.resize(space_->n_control_points());
+        std::vector<double> weight(height_.size(), 0.);
+        for (unsigned int c = 0; c < gradients_.size(); ++c)
+          {
+            const CellGradients &cell = gradients_[c];
+            const auto           A    = space_->control_points_of_cell(c);
+            for (unsigned int q = 0; q < cell.n_points; ++q)
+              for (unsigned int a = 0; a < cell.n_functions; ++a)
+                weight[A[a]] +=
+                  cell.values[q * cell.n_functions + a] * cell.jxw[q];
+          }
+        double mean = 0, volume = 0;
         for (unsigned int A = 0; A < height_.size(); ++A)
-          height_[A] = space_->control_points()[A][2] + u_[3 * A + 2];
+          {
+            height_[A] = space_->control_points()[A][2] + u_[3 * A + 2];
+            mean += weight[A] * height_[A];
+            volume += weight[A];
+          }
+        for (double &height : height_)
+          height -= mean / volume;
       }
 
     const Resultants averages = compute_averages(u_);
@@ -543,6 +640,8 @@ namespace NPT
       // of the cells on their control points, and of contact.
       force_scale_ = std::sqrt(force_scale_ * force_scale_ + force.norm_sqr());
     }
+    for (unsigned int A = 0; A < foundation_.size(); ++A)
+      residual[3 * A + 2] += foundation_[A] * u[3 * A + 2];
     // Prescribed resultants act on the macro unknowns.
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       if (resultant_controlled_[n])
@@ -636,6 +735,10 @@ namespace NPT
                 pattern_is_current_ = false;
             });
         }
+        for (unsigned int A = 0; A < foundation_.size(); ++A)
+          if (foundation_[A] > 0.)
+            system_.add(std::vector<unsigned int>(1, 3 * A + 2),
+                        std::vector<double>(1, foundation_[A]));
         if (!pattern_is_current_)
           continue; // a new coupling appeared: widen the pattern
         TimerOutput::Scope timer(timer_, "Tangent: bundles");

@@ -133,6 +133,20 @@ namespace NPT
     parameters.newton.parse_parameters(prm);
     parameters.linear_solver.parse_parameters(prm);
     parameters.output.parse_parameters(prm);
+    if (parameters.cell.type == "automatic")
+      {
+        std::vector<unsigned int> modes;
+        for (const LoadStage &stage : parameters.load_programme.stages)
+          {
+            for (const auto &target : stage.H_targets)
+              modes.push_back(target.first);
+            for (const auto &target : stage.n_targets)
+              modes.push_back(target.first);
+          }
+        parameters.cell.type =
+          FabricCell::smallest_type(parameters.cell, modes);
+        parameters.automatic_type = true;
+      }
     check_modes(parameters);
 
     std::ostringstream used;

@@ -143,7 +143,6 @@ TEST_CASE("Warp and weft are one bundle, turned by 90 degrees", "[cell]")
   const FiberBundle &warp = cell.bundles()[0], &weft = cell.bundles()[1];
   CHECK(warp.family == FiberBundle::Family::warp);
   CHECK(weft.family == FiberBundle::Family::weft);
-  CHECK(warp.side == -weft.side);
   CHECK(warp.direction[0] == 1.);
   CHECK(weft.direction[1] == 1.);
   for (unsigned int l = 0; l < warp.patch.n_control_points(); ++l)
@@ -157,43 +156,74 @@ TEST_CASE("Warp and weft are one bundle, turned by 90 degrees", "[cell]")
 
 
 
-TEST_CASE("Every operation maps the control points of a bundle onto each "
-          "other",
+TEST_CASE("Every operation maps control points inside the cell onto control "
+          "points, and the end faces onto each other",
           "[cell]")
 {
-  for (const unsigned int across : {3, 4})
-    {
-      const CellParameters parameters = odd_cell();
-      const FabricCell     cell(parameters, small_mesh(5, across));
-      const double         L = parameters.crossing_spacing;
-      REQUIRE(cell.operations().size() == 3);
-      for (const SymmetryOperation &g : cell.operations())
-        for (const FiberBundle &bundle : cell.bundles())
-          {
-            const auto  &points   = bundle.patch.control_points();
-            unsigned int n_images = 0;
-            for (const Point<3> &P : points)
+  for (const std::string type :
+       {"sub-unit cell", "two-crossing cell", "unit cell"})
+    for (const unsigned int across : {3, 4})
+      {
+        CellParameters parameters = odd_cell();
+        parameters.type           = type;
+        const FabricCell cell(parameters, small_mesh(5, across));
+        const double     L         = parameters.crossing_spacing;
+        unsigned int     n_related = 0;
+        for (const SymmetryOperation &g : cell.operations())
+          for (const FiberBundle &bundle : cell.bundles())
+            for (const Point<3> &P : bundle.patch.control_points())
               {
                 const Point<3> image = g(P);
-                bool           found = false;
-                for (const Point<3> &other : points)
-                  found = found || other.distance(image) < 1e-12 * L;
-                // Outside of the cell the neighbor continues.
-                const bool inside = std::abs(image[0]) < L / 2 * (1 + 1e-12) &&
-                                    std::abs(image[1]) < L / 2 * (1 + 1e-12);
-                CHECK(found == inside);
-                n_images += found;
+                for (const FiberBundle &other : cell.bundles())
+                  {
+                    if (other.family != bundle.family)
+                      continue;
+                    const auto &points = other.patch.control_points();
+                    bool        found  = false;
+                    for (const Point<3> &Q : points)
+                      found = found || Q.distance(image) < 1e-12 * L;
+                    n_related += found;
+                    // A point that lands inside the bundle must hit a control
+                    // point, or the operation could not be a constraint.
+                    const Point<3> &low = points.front(), &high = points.back();
+                    bool            inside = true;
+                    for (unsigned int i = 0; i < 2; ++i)
+                      inside =
+                        inside &&
+                        image[i] > std::min(low[i], high[i]) - 1e-9 * L &&
+                        image[i] < std::max(low[i], high[i]) + 1e-9 * L;
+                    if (inside)
+                      CHECK(found);
+                  }
               }
+        CHECK(n_related > 0);
+      }
+}
 
-            // A glide along the bundle couples its two end faces, one across
-            // it nothing; the 2-fold axis has an image of every point.
-            const unsigned int d = bundle.direction[0] == 1. ? 0 : 1;
-            const unsigned int face =
-              points.size() / bundle.patch.n_control_points(0);
-            CHECK(n_images == (g.a.norm() == 0.    ? points.size() :
-                               g.a[d] == Approx(L) ? face :
-                                                     0));
-          }
+
+
+TEST_CASE("Each cell stands for as many crossings as its area says", "[cell]")
+{
+  // A contact pair touches one crossing per strand; images add pieces of the
+  // same strands only.
+  const std::vector<std::pair<std::string, std::string>> cases = {
+    {"sub-unit cell", "plain"},
+    {"two-crossing cell", "plain"},
+    {"unit cell", "plain"},
+    {"unit cell", "2/2 twill"},
+    {"unit cell", "5-harness satin"}};
+  for (const auto &[type, weave] : cases)
+    {
+      CellParameters parameters = odd_cell();
+      parameters.type           = type;
+      parameters.weave          = weave;
+      const FabricCell cell(parameters, small_mesh(1, 1));
+      const double     L         = parameters.crossing_spacing;
+      unsigned int     crossings = 0;
+      for (const ContactCandidates &pair : cell.contacts())
+        for (const SurfaceImage &image : pair.primaries)
+          crossings += image.period == 0;
+      CHECK(crossings == Approx(cell.area() / (L * L)));
     }
 }
 
@@ -258,12 +288,12 @@ TEST_CASE("Multiplicities count every point of the cell once", "[cell]")
           const FabricCell     cell(parameters, mesh);
 
           unsigned int n_points = 0, sum = 0;
-          for (const FiberBundle &bundle : cell.bundles())
-            for (const Point<3> &P : bundle.patch.control_points())
+          for (unsigned int b = 0; b < cell.bundles().size(); ++b)
+            for (const Point<3> &P : cell.bundles()[b].patch.control_points())
               {
-                const unsigned int own = cell.multiplicity(P);
+                const unsigned int own = cell.multiplicity(b, P);
                 const unsigned int image =
-                  cell.multiplicity(Point<3>(-P[0], -P[1], P[2]));
+                  cell.multiplicity(b, Point<3>(-P[0], -P[1], P[2]));
                 CHECK(own + image == 2);
                 sum += own;
                 ++n_points;
@@ -281,7 +311,8 @@ TEST_CASE("Multiplicities count every point of the cell once", "[cell]")
                 {
                   volume += values.JxW(q);
                   weighted += values.JxW(q) *
-                              cell.multiplicity(values.quadrature_point(q));
+                              cell.multiplicity(space.cells()[c].patch,
+                                                values.quadrature_point(q));
                 }
             }
           CHECK(weighted == Approx(volume).epsilon(1e-12));

@@ -133,8 +133,10 @@ TEST_CASE("A mistake in an override is refused like one in the file", "[top]")
 {
   const std::string good    = NPT_SOURCE_DIR "/prm/shear.prm";
   const auto        message = [&](const std::string &override_text) {
-    return message_of(
-      [&]() { Parameters::read(read_parameter_text(good), {override_text}); });
+    return message_of([&]() {
+      Parameters::read(read_parameter_text(good),
+                       {"Cell/Type=sub-unit cell", override_text});
+    });
   };
   CHECK(message("Friction/Friction coefficient=-1") ==
         "--set 'Friction/Friction coefficient=-1': entry 'Friction "

@@ -8,18 +8,24 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <string>
+#include <vector>
+
 namespace NPT
 {
   /// Subsection "Cell": geometry of the weave.
   struct CellParameters
   {
-    double      crossing_spacing = 5.0; ///< Lbar [mm]
-    double      bundle_width     = 4.0; ///< w [mm]
-    double      bundle_thickness = 1.2; ///< t [mm]
-    double      blunt_tip        = 0.1; ///< e / t [-]
-    double      weaving_depth    = 1.0; ///< [-]
-    std::string type             = "sub-unit cell";
-    bool        two_fold_axis    = true;
+    double              crossing_spacing = 5.0; ///< Lbar [mm]
+    double              bundle_width     = 4.0; ///< w [mm]
+    double              bundle_thickness = 1.2; ///< t [mm]
+    double              blunt_tip        = 0.1; ///< e / t [-]
+    double              weaving_depth    = 1.0; ///< [-]
+    std::string         type             = "sub-unit cell";
+    std::string         weave         = "plain"; ///< name or over/under table
+    bool                two_fold_axis = true;
+    bool                images        = true;
+    std::vector<double> plies         = {0.}; ///< laminate: angles [degrees]
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);

@@ -10,24 +10,30 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace NPT
 {
-  /// One straight bundle in the reference configuration.
+  class WeavePattern;
+
+  class WeavePattern;
+
+  /// One straight bundle (or one ply of a laminate) in the reference
+  /// configuration.
   struct FiberBundle
   {
     enum class Family
     {
       warp, ///< along Y1
-      weft  ///< along Y2
+      weft, ///< along Y2
+      ply
     };
     Family               family;
     NURBSPatch<3>        patch;     ///< along, across, through the thickness
     dealii::Tensor<1, 3> direction; ///< fiber direction, unit vector
-    /// +1: starts above the mid-plane in weaving, -1: below.
-    double side;
+    unsigned int         body;      ///< patches of one body are joined
   };
 
   /**
@@ -44,6 +50,10 @@ namespace NPT
     std::string          name;
     dealii::Tensor<1, 3> Q; ///< diagonal
     dealii::Tensor<1, 3> a; ///< [mm]
+
+    /// First this operation, then another.
+    SymmetryOperation
+    then(const SymmetryOperation &next) const;
 
     dealii::Point<3>
     operator()(const dealii::Point<3> &Y) const
@@ -62,24 +72,43 @@ namespace NPT
     keeps_mode(const unsigned int n) const;
   };
 
-  /// Two faces that may touch: bundle number and side (0 bottom, 1 top) of the
-  /// thickness direction.
+  /**
+   * A bundle face seen through a symmetry operation of the cell: the face of a
+   * neighboring cell (49), or of the base cell itself if the operation is the
+   * identity. During weaving it is held apart from its contact partner by
+   * offset_sign times the weaving offset along Y3.
+   */
+  struct SurfaceImage
+  {
+    unsigned int      bundle;
+    unsigned int      side; ///< 0 bottom, 1 top, of the base bundle
+    SymmetryOperation operation;
+    double            offset_sign;
+    /// Pieces of the same strand continue each other; period counts them along
+    /// the strand, 0 for the piece that crosses the contact partner.
+    int strand;
+    int period;
+  };
+
+  /// A secondary face and the primary faces that it may touch.
   struct ContactCandidates
   {
-    unsigned int                                       secondary_bundle;
-    unsigned int                                       secondary_side;
-    std::vector<std::pair<unsigned int, unsigned int>> primaries;
+    unsigned int              secondary_bundle;
+    unsigned int              secondary_side;
+    std::vector<SurfaceImage> primaries;
   };
 
   /**
    * The cell in its reference configuration: every bundle straight with its
    * own mid-plane at Z3 = 0, so that cell coordinates are those of the woven
-   * state. (Bundles interpenetrate there; the straight bundles at touch are
-   * the displacement +/- t/2 along Y3, the start of weaving.)
+   * state. Bundles interpenetrate there; weaving starts with contact partners
+   * held apart by the weaving offset t (straight bundles that just touch) and
+   * lets the offset go to (1 - depth) t.
    */
   class FabricCell
   {
   public:
+    /// Throws InputError if the weave has no such cell.
     FabricCell(const CellParameters &cell, const MeshParameters &mesh);
 
     const std::vector<FiberBundle> &
@@ -87,8 +116,9 @@ namespace NPT
     {
       return bundles_;
     }
-    /// Operations that couple control points: glides and, if asked for, the
-    /// 2-fold axis.
+    /// All operations that may relate control points of the base cell:
+    /// translations or glides within reach, and each of them after the 2-fold
+    /// axis if there is one.
     const std::vector<SymmetryOperation> &
     operations() const
     {
@@ -110,6 +140,16 @@ namespace NPT
     {
       return parameters_;
     }
+    /// Whether the 2-fold axis of the weave is used as a constraint.
+    bool
+    has_two_fold_axis() const
+    {
+      return two_fold_axis_;
+    }
+    /// Whether a translation of the whole cell along Y3 must be pinned (a
+    /// glide plane excludes it).
+    bool
+    needs_vertical_pin() const;
     /// Whether the operations allow mode n (0..5).
     bool
     represents_mode(const unsigned int n) const;
@@ -118,33 +158,49 @@ namespace NPT
     obstacle(const unsigned int n) const;
 
     /**
-     * How often a point stands for itself and its mirror images: with the
-     * 2-fold axis one half of the cell is integrated with weight 2, points on
-     * the axis with weight 1, the other half with weight 0.
+     * How often a point of a bundle stands for itself and its mirror image:
+     * where the 2-fold axis maps bundles of the base cell onto each other, one
+     * half is integrated with weight 2, points on the axis with weight 1, the
+     * other half with weight 0.
      */
     unsigned int
-    multiplicity(const dealii::Point<3> &Y) const;
+    multiplicity(const unsigned int bundle, const dealii::Point<3> &Y) const;
 
-    /// Diagonal of the operation by which averages over the integrated half
-    /// must be symmetrized; all +1 without a 2-fold axis.
-    bool
-    integrates_half() const
-    {
-      return parameters_.two_fold_axis;
-    }
-    /// Whether cell averages must be completed by their glide image.
-    bool
-    has_glide() const
-    {
-      return true;
-    }
+    /// The smallest cell type that represents the given modes (0..5).
+    static std::string
+    smallest_type(const CellParameters            &cell,
+                  const std::vector<unsigned int> &modes);
 
   private:
+    NURBSPatch<3>
+    lens_bundle(const unsigned int    n_crossings,
+                const MeshParameters &mesh) const;
+    void
+    add_plies(const MeshParameters &mesh);
+    void
+    add_operations(const std::array<SymmetryOperation, 2> &generators);
+    void
+    add_contacts(const WeavePattern &weave);
+
+    // A bundle in its cell: position of the axis, begin, crossings.
+    struct Strand
+    {
+      double       position; ///< across
+      double       begin;    ///< along
+      unsigned int n_crossings;
+    };
+
     CellParameters                 parameters_;
     std::vector<FiberBundle>       bundles_;
+    std::vector<Strand>            strands_; // by bundle
+    std::vector<SymmetryOperation> lattice_; // identity first
     std::vector<SymmetryOperation> operations_;
     std::vector<ContactCandidates> contacts_;
     double                         area_;
+    bool                           two_fold_axis_ = false;
+    // Where the 2-fold axis takes each bundle, or -1.
+    std::vector<int>               mirror_;
+    std::vector<SymmetryOperation> mirror_operation_;
   };
 
   /**

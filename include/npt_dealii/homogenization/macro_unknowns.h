@@ -34,13 +34,20 @@ namespace NPT
     {
       return first + n_modes;
     }
+    /// Unknowns of images follow; see GhostSurface.
     unsigned int
-    n_unknowns() const
+    first_ghost() const
     {
       return first + n_macro;
     }
+    unsigned int
+    n_unknowns() const
+    {
+      return first + n_macro + n_ghosts;
+    }
 
     unsigned int first;
+    unsigned int n_ghosts = 0;
   };
 } // namespace NPT
 

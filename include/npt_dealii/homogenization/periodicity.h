@@ -17,34 +17,41 @@
 
 namespace NPT
 {
-  /// Which couplings hold in a stage.
-  struct CouplingOptions
+  /**
+   * Control points of a face seen through an operation of the cell. They have
+   * unknowns of their own, which AffineConstraints tie to the base cell, the
+   * macro unknowns and the weaving offset omega,
+   *
+   * @f[ w(QY+a) = Q\,w(Y) + w_m(QY+a) - Q\,w_m(Y) \pm \omega e_3 , @f]
+   *
+   * so that contact with an image needs nothing special anywhere else.
+   */
+  struct GhostSurface
   {
-    /// Weaving: the middle of the end faces is moved to the mid-plane.
-    bool hold_end_middles = false;
+    std::vector<unsigned int>     control_points; ///< of the base cell
+    SymmetryOperation             operation;
+    double                        offset_sign;
+    unsigned int                  first_unknown; ///< three per control point
+    std::vector<dealii::Point<3>> reference;     ///< QX + a
   };
 
   /**
-   * All couplings of a fabric cell: symmetry operations, the weaving
-   * condition, pins where rigid motions would remain.
+   * All couplings of a fabric cell: symmetry operations, pins where rigid
+   * motions would remain, and ghost surfaces.
    *
    * @param height Z3 of each control point used in the jumps of bending and
    *   torsion [mm]; empty: the reference one.
    * @return Closed constraints over macro.n_unknowns() unknowns.
+   *
+   * Throws std::logic_error if the mesh is not mapped onto itself by an
+   * operation.
    */
   dealii::AffineConstraints<double>
-  make_couplings(const FabricCell          &cell,
-                 const IGASpace<3>         &space,
-                 const MacroUnknowns       &macro,
-                 const CouplingOptions     &options,
-                 const std::vector<double> &height = {});
-
-  /// Displacement of straight bundles held apart by `offset` [mm].
-  dealii::Vector<double>
-  straight_bundles(const FabricCell    &cell,
-                   const IGASpace<3>   &space,
-                   const MacroUnknowns &macro,
-                   const double         offset);
+  make_couplings(const FabricCell                &cell,
+                 const IGASpace<3>               &space,
+                 const MacroUnknowns             &macro,
+                 const std::vector<GhostSurface> &ghosts,
+                 const std::vector<double>       &height = {});
 } // namespace NPT
 
 #endif

@@ -6,6 +6,7 @@
 #define npt_dealii_homogenization_resultants_h
 
 #include <npt_dealii/cell/fabric_cell.h>
+#include <npt_dealii/homogenization/periodicity.h>
 #include <npt_dealii/iga/iga_space.h>
 
 #include <deal.II/base/tensor.h>
@@ -36,12 +37,14 @@ namespace NPT
    * control points [N/mm]. Conjugates and averages differ by exactly this,
    * e.g. n_1 = N_11 + D_11, n_3 = (N_12 + N_21 + D_12 + D_21) / 2.
    *
-   * @param contact_force C_c of all unknowns (full vector).
+   * @param contact_force C_c of all unknowns (full vector, ghosts
+   *   included).
    */
   dealii::Tensor<2, 3>
-  contact_dipole(const FabricCell             &cell,
-                 const IGASpace<3>            &space,
-                 const dealii::Vector<double> &contact_force);
+  contact_dipole(const FabricCell                &cell,
+                 const IGASpace<3>               &space,
+                 const std::vector<GhostSurface> &ghosts,
+                 const dealii::Vector<double>    &contact_force);
 } // namespace NPT
 
 #endif

@@ -130,6 +130,7 @@ namespace NPT
     std::vector<std::unique_ptr<IGASurface<3>>>       surfaces_;
     std::vector<std::unique_ptr<ContactAssembler<3>>> contacts_;
     MacroUnknowns                                     macro_;
+    std::vector<GhostSurface>                         ghosts_;
     std::vector<double>                               height_;
 
     // The system of the present stage.
@@ -138,6 +139,7 @@ namespace NPT
     SolidKernel                            kernel_;
     std::vector<std::vector<unsigned int>> contact_couplings_;
     bool                                   pattern_is_current_ = false;
+    bool                                   friction_was_on_    = false;
     double                                 force_scale_        = 0;
 
     // The accepted state, and the one before for extrapolation.
@@ -150,7 +152,7 @@ namespace NPT
     std::array<double, MacroUnknowns::n_modes> force_start_{}, force_target_{};
     std::array<double, MacroUnknowns::n_modes> conjugate_{};
     std::array<double, MacroUnknowns::n_modes> applied_{};
-    std::vector<double>                        height_of_stage_;
+    std::vector<double> foundation_; // vertical, per control point, weaving
 
     // The trial state of the last successful solve_load_step().
     dealii::Vector<double> u_trial_, residual_;

@@ -47,6 +47,9 @@ namespace NPT
     LinearSolverParameters linear_solver;
     OutputParameters       output;
 
+    /// Whether the cell type was chosen by the program.
+    bool automatic_type = false;
+
     /// The complete file with defaults, as it will be kept with the results.
     std::string used_file;
 

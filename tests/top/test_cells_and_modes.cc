@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Claims about the cells of one weave against each other, about all six modes,
+// and about laminates against classical plate theory.
+
+#include <npt_dealii/top/numerical_plate_test.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <catch2/catch.hpp>
+
+#include <sstream>
+
+namespace
+{
+  using namespace NPT;
+
+  std::vector<CurveRow>
+  run(const std::vector<std::string> &overrides)
+  {
+    std::ostringstream screen;
+    NumericalPlateTest test(
+      Parameters::read(make_parameter_text("", "cell.prm"), overrides),
+      "",
+      screen);
+    test.run();
+    return test.curve();
+  }
+
+  // Plane-stress stiffness of a ply from the small-strain stiffness of the
+  // law, by classical lamination theory: invert, keep 11, 22, 12, invert.
+  dealii::FullMatrix<double>
+  plane_stress(const double angle)
+  {
+    const FiberBundleLaw<3>    law(FiberBundleConstants(),
+                                dealii::Tensor<1, 3>({1., 0., 0.}));
+    dealii::FullMatrix<double> S(law.small_strain_stiffness());
+    S.gauss_jordan();
+    const unsigned int         keep[3] = {0, 1, 5};
+    dealii::FullMatrix<double> Q(3, 3), T(3, 3), QT(3, 3), result(3, 3);
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        Q(i, j) = S(keep[i], keep[j]);
+    Q.gauss_jordan();
+    // Strains of the plate in the axes of the ply, engineering shear.
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double t[3][3] = {{c * c, s * s, c * s},
+                            {s * s, c * c, -c * s},
+                            {-2 * c * s, 2 * c * s, c * c - s * s}};
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        T(i, j) = t[i][j];
+    Q.mmult(QT, T);
+    T.Tmmult(result, QT);
+    return result;
+  }
+} // namespace
+
+
+
+TEST_CASE("Laminates have the A, B and D of classical plate theory", "[top]")
+{
+  // Central differences at 1e-4 leave the third derivative: 1e-8 relative.
+  for (const std::string plies : {"0", "0, 90", "0, 90, 30"})
+    {
+      std::vector<double> angles;
+      if (plies == "0")
+        angles = {0.};
+      else if (plies == "0, 90")
+        angles = {0., 90.};
+      else
+        angles = {0., 90., 30.};
+      const double               t = 1.2;
+      dealii::FullMatrix<double> expected(6, 6);
+      for (unsigned int k = 0; k < angles.size(); ++k)
+        {
+          const double z0 = -t / 2 + k * t / angles.size();
+          const double z1 = z0 + t / angles.size();
+          const auto   Q  = plane_stress(angles[k] * dealii::numbers::PI / 180);
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+              {
+                expected(i, j) += Q(i, j) * (z1 - z0);
+                expected(i, j + 3) += Q(i, j) * (z1 * z1 - z0 * z0) / 2;
+                expected(i + 3, j) += Q(i, j) * (z1 * z1 - z0 * z0) / 2;
+                expected(i + 3, j + 3) +=
+                  Q(i, j) * (z1 * z1 * z1 - z0 * z0 * z0) / 3;
+              }
+        }
+      // Independent of the size of the cell.
+      for (const std::string L : {"5", "7"})
+        for (unsigned int m = 0; m < 6; ++m)
+          {
+            std::vector<double> n[2];
+            for (const int sign : {1, -1})
+              {
+                const auto row =
+                  run({"Cell/Type=laminate",
+                       "Cell/Plies=" + plies,
+                       "Cell/Crossing spacing=" + L,
+                       "Mesh/Elements along=1",
+                       "Mesh/Elements across=1",
+                       "Mesh/Elements through=1",
+                       "Newton/Relative tolerance=1e-11",
+                       "Load programme/Stages=tiny",
+                       "Load programme/Stage tiny/Initial step=1",
+                       "Load programme/Stage tiny/Maximum step=1",
+                       "Load programme/Stage tiny/Targets=H" +
+                         std::to_string(m + 1) +
+                         (sign > 0 ? ": 1e-4" : ": -1e-4")})
+                    .back();
+                n[sign > 0 ? 0 : 1].assign(row.n.begin(), row.n.end());
+              }
+            for (unsigned int k = 0; k < 6; ++k)
+              {
+                const double scale =
+                  (k < 3 ? 1. : t) * (m < 3 ? 1. : t) * expected(0, 0);
+                CHECK((n[0][k] - n[1][k]) / 2e-4 ==
+                      Approx(expected(k, m)).margin(1e-7 * scale));
+              }
+          }
+    }
+}
+
+
+
+TEST_CASE("One, two and four crossings give the same frictional shear", "[top]")
+{
+  std::vector<CurveRow> last;
+  for (const std::string type :
+       {"sub-unit cell", "two-crossing cell", "unit cell"})
+    last.push_back(run({"Cell/Type=" + type,
+                        "Mesh/Elements along=3",
+                        "Mesh/Elements across=3",
+                        "Mesh/Elements through=1",
+                        "Newton/Relative tolerance=1e-10",
+                        "Load programme/Stage shear/Initial step=0.2",
+                        "Load programme/Stage shear/Maximum step=0.2"})
+                     .back());
+  // Image meshes: equal to solver tolerance.
+  for (unsigned int n = 0; n < 3; ++n)
+    {
+      CHECK(last[1].n[n] == Approx(last[0].n[n]).epsilon(1e-9));
+      CHECK(last[2].n[n] == Approx(last[0].n[n]).epsilon(1e-9));
+    }
+  CHECK(last[1].dissipation == Approx(2 * last[0].dissipation).epsilon(1e-8));
+  CHECK(last[2].dissipation == Approx(4 * last[0].dissipation).epsilon(1e-8));
+  CHECK(last[2].n_active == 4 * last[0].n_active);
+}
+
+
+
+TEST_CASE("A woven cell relaxes to zero tension and bends at zero tension",
+          "[top]")
+{
+  const auto curve =
+    run({"Mesh/Elements along=3",
+         "Mesh/Elements across=3",
+         "Mesh/Elements through=1",
+         "Friction/Friction coefficient=0",
+         "Newton/Relative tolerance=1e-11",
+         "Load programme/Stages=weave, release, relax, bend, more",
+         "Load programme/Stage relax/Targets=n1: 0, n2: 0",
+         "Load programme/Stage relax/Initial step=0.25",
+         "Load programme/Stage relax/Maximum step=0.25",
+         "Load programme/Stage bend/Targets=H4: 0.02",
+         "Load programme/Stage bend/Initial step=0.25",
+         "Load programme/Stage bend/Maximum step=0.25",
+         "Load programme/Stage more/Targets=H4: 0.0201",
+         "Load programme/Stage more/Initial step=0.5",
+         "Load programme/Stage more/Maximum step=0.5"});
+  const CurveRow *relaxed = nullptr;
+  for (const CurveRow &row : curve)
+    {
+      if (row.stage == "relax" && row.load_factor == 1.)
+        relaxed = &row;
+      if (row.stage == "bend")
+        CHECK(std::abs(row.n[0]) + std::abs(row.n[1]) < 1e-8);
+    }
+  REQUIRE(relaxed != nullptr);
+  // Crimp takes length: the stress-free cell is smaller, by the same in both
+  // directions up to the choice of the secondary side (below 1 %).
+  CHECK(relaxed->H[0] < -0.01);
+  CHECK(relaxed->H[1] == Approx(relaxed->H[0]).epsilon(0.02));
+  // The glide plane turns bending over, so the relaxed cell has no moments.
+  for (unsigned int n = 3; n < 6; ++n)
+    CHECK(std::abs(relaxed->n[n]) < 1e-6);
+
+  // At prescribed n1 = n2 = 0 the moment is the derivative of the energy.
+  const unsigned int n      = curve.size();
+  const auto         energy = [](const CurveRow &row) {
+    return row.stored_energy + row.contact_energy;
+  };
+  const double dE = energy(curve[n - 1]) - energy(curve[n - 3]);
+  const double dH = curve[n - 1].H[3] - curve[n - 3].H[3];
+  CHECK(dE / dH / 50. == Approx(curve[n - 2].n[3]).epsilon(1e-5));
+}

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Claims about the numerical plate test as a whole, on a coarse woven cell.
+
+#include <npt_dealii/top/numerical_plate_test.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+  using namespace NPT;
+
+  Parameters
+  coarse(const std::vector<std::string> &more)
+  {
+    std::vector<std::string> overrides = {"Mesh/Elements along=5",
+                                          "Mesh/Elements across=5"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return Parameters::read(make_parameter_text("", "coarse.prm"), overrides);
+  }
+
+  // The test with its state laid open.
+  class OpenTest : public NumericalPlateTest
+  {
+  public:
+    OpenTest(const Parameters &parameters, std::ostream &screen)
+      : NumericalPlateTest(parameters, "", screen)
+    {}
+
+    using NumericalPlateTest::cell_;
+    using NumericalPlateTest::contacts_;
+    using NumericalPlateTest::ghosts_;
+    using NumericalPlateTest::macro_;
+    using NumericalPlateTest::space_;
+    using NumericalPlateTest::u_;
+
+    dealii::Tensor<2, 3>
+    dipole()
+    {
+      dealii::Vector<double> force(macro_.n_unknowns());
+      for (const auto &contact : contacts_)
+        {
+          contact->evaluate(u_);
+          contact->add_residual(force);
+        }
+      return contact_dipole(*cell_, *space_, ghosts_, force);
+    }
+  };
+
+  std::vector<CurveRow>
+  run(const std::vector<std::string> &more)
+  {
+    std::ostringstream screen;
+    OpenTest           test(coarse(more), screen);
+    test.run();
+    return test.curve();
+  }
+
+  std::string
+  steps(const unsigned int n)
+  {
+    const std::string step = std::to_string(1. / n);
+    return step;
+  }
+
+  std::vector<std::string>
+  shear_in_steps(const unsigned int n, const std::string &mu)
+  {
+    return {"Friction/Friction coefficient=" + mu,
+            "Load programme/Stage shear/Initial step=" + steps(n),
+            "Load programme/Stage shear/Maximum step=" + steps(n)};
+  }
+} // namespace
+
+
+
+TEST_CASE("The coarse frictional shear test runs through with quadratic Newton",
+          "[top]")
+{
+  const auto curve = run({});
+  REQUIRE(curve.back().stage == "shear");
+  CHECK(curve.back().load_factor == 1.);
+  CHECK(curve.back().H[2] == Approx(0.2).epsilon(1e-14));
+
+  std::vector<double> orders;
+  double              dissipation = 0;
+  for (const CurveRow &row : curve)
+    {
+      if (!std::isnan(row.newton_order))
+        orders.push_back(row.newton_order);
+      // Friction never gives energy back.
+      CHECK(row.dissipation >= dissipation);
+      dissipation = row.dissipation;
+    }
+  std::nth_element(orders.begin(),
+                   orders.begin() + orders.size() / 2,
+                   orders.end());
+  CHECK(orders[orders.size() / 2] >= 1.7);
+}
+
+
+
+TEST_CASE("Macro reactions are the derivative of the energy without friction",
+          "[top]")
+{
+  // Central difference of the energy over the last two of many small steps;
+  // Newton is driven to round-off so that only the difference itself errs
+  // (h^2 times the third derivative, about 1e-7 here).
+  auto overrides = shear_in_steps(20, "0");
+  overrides.push_back("Newton/Relative tolerance=1e-13");
+  overrides.push_back("Load programme/Stages=weave, release, shear, more");
+  overrides.push_back("Load programme/Stage more/Targets=H3: 0.2004");
+  overrides.push_back("Load programme/Stage more/Initial step=0.5");
+  overrides.push_back("Load programme/Stage more/Maximum step=0.5");
+  const auto     curve  = run(overrides);
+  const unsigned n      = curve.size();
+  const auto     energy = [&](const CurveRow &row) {
+    return row.stored_energy + row.contact_energy;
+  };
+  const double dE = energy(curve[n - 1]) - energy(curve[n - 3]);
+  const double dH = curve[n - 1].H[2] - curve[n - 3].H[2];
+  CHECK(dE / dH / 25. == Approx(curve[n - 2].n[2]).epsilon(1e-6));
+}
+
+
+
+TEST_CASE("Averages and conjugates differ by exactly the contact dipole",
+          "[top]")
+{
+  for (const std::string mu : {"0", "0.3"})
+    {
+      std::ostringstream screen;
+      auto               overrides = shear_in_steps(10, mu);
+      overrides.push_back("Newton/Relative tolerance=1e-12");
+      OpenTest test(coarse(overrides), screen);
+      test.run();
+      // The slip history is that of the end of the last step, so with friction
+      // the state must be evaluated against the history before it: here only
+      // the frictionless dipole is evaluated anew.
+      const CurveRow &row = test.curve().back();
+      if (mu == "0")
+        {
+          const auto D = test.dipole();
+          CHECK(row.n[0] == Approx(row.N[0][0] + D[0][0]).epsilon(1e-9));
+          CHECK(row.n[1] == Approx(row.N[1][1] + D[1][1]).epsilon(1e-9));
+          CHECK(row.n[2] ==
+                Approx(0.5 * (row.N[0][1] + row.N[1][0] + D[0][1] + D[1][0]))
+                  .epsilon(1e-9));
+          // It is not small: a code that mixes the two up is wrong by this.
+          CHECK(std::abs(row.n[2] - row.N[0][1]) > 0.03 * row.n[2]);
+        }
+    }
+}
+
+
+
+TEST_CASE("Without friction the curve does not depend on the load steps",
+          "[top]")
+{
+  auto coarse_steps = shear_in_steps(10, "0"),
+       fine_steps   = shear_in_steps(40, "0");
+  coarse_steps.push_back("Newton/Relative tolerance=1e-10");
+  fine_steps.push_back("Newton/Relative tolerance=1e-10");
+  const CurveRow a = run(coarse_steps).back(), b = run(fine_steps).back();
+  for (unsigned int n = 0; n < 3; ++n)
+    CHECK(a.n[n] == Approx(b.n[n]).epsilon(1e-6));
+}
+
+
+
+TEST_CASE("Normal forces of a sheared cell are even and shear odd in H3",
+          "[top]")
+{
+  auto minus = shear_in_steps(10, "0.3");
+  minus.push_back("Load programme/Stage shear/Targets=H3: -0.2");
+  const CurveRow a = run(shear_in_steps(10, "0.3")).back(),
+                 b = run(minus).back();
+  // Mirrored states: to solver tolerance.
+  CHECK(a.n[2] == Approx(-b.n[2]).epsilon(1e-5));
+  CHECK(a.n[0] == Approx(b.n[0]).epsilon(1e-5));
+}
+
+
+
+TEST_CASE("The C0 Bernstein and the FE_Q cell are the same discretization",
+          "[top]")
+{
+  // Same polynomials, same Gauss points, same averaging functions: every
+  // number must agree to solver tolerance, though shape functions, numbering
+  // and nodes come from different parts of deal.II.
+  for (const std::string method : {"mortar", "KTS"})
+    {
+      std::vector<std::string> common    = {"Contact/Method=" + method,
+                                            "Mesh/Elements along=3",
+                                            "Mesh/Elements across=3",
+                                            "Mesh/Elements through=1",
+                                            "Newton/Relative tolerance=1e-10",
+                                            "Cell/Weaving depth=0.5",
+                                            "Load programme/Stage shear/Targets="
+                                               "H3: 0.05"};
+      auto                     bernstein = common, lagrange = common;
+      bernstein.push_back("Mesh/Basis=Bernstein");
+      lagrange.push_back("Mesh/Basis=Lagrange");
+      const auto read = [](const std::vector<std::string> &overrides) {
+        std::ostringstream screen;
+        OpenTest test(Parameters::read(make_parameter_text("", "c0.prm"),
+                                       overrides),
+                      screen);
+        test.run();
+        return test.curve().back();
+      };
+      const CurveRow a = read(bernstein), b = read(lagrange);
+      for (unsigned int n = 0; n < 3; ++n)
+        CHECK(a.n[n] == Approx(b.n[n]).epsilon(1e-7));
+      CHECK(a.stored_energy == Approx(b.stored_energy).epsilon(1e-8));
+    }
+}
