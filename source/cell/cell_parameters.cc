@@ -43,7 +43,8 @@ namespace NPT
         Patterns::Anything(),
         "plain, 2/2 twill, 5-harness satin, or a table with one row per weft "
         "bundle, rows separated by '/', o where the warp is over and u where "
-        "it is under: ou/uo is the plain weave.");
+        "it is under: ou/uo is the plain weave. Weaves other than plain are "
+        "built but cannot be woven yet.");
       prm.declare_entry("Images",
                         "true",
                         Patterns::Bool(),
