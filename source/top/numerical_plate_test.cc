@@ -862,7 +862,6 @@ namespace NPT
               " new patterns), " + std::to_string(system_.n_free()) +
               " free unknowns, " +
               std::to_string(system_.free_matrix().n_nonzeros()) + " nonzeros");
-    std::ostringstream table;
     timer_.print_summary();
   }
 

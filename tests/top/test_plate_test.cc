@@ -97,7 +97,10 @@ TEST_CASE("The coarse frictional shear test runs through with quadratic Newton",
   std::nth_element(orders.begin(),
                    orders.begin() + orders.size() / 2,
                    orders.end());
-  CHECK(orders[orders.size() / 2] >= 1.7);
+  // 2 in exact arithmetic with fixed active sets; nodes that begin to slip in
+  // the last iterations lower it (measured 1.80 here, 1.91 on the default
+  // mesh).
+  CHECK(orders[orders.size() / 2] >= 1.75);
 }
 
 
@@ -129,29 +132,22 @@ TEST_CASE("Macro reactions are the derivative of the energy without friction",
 TEST_CASE("Averages and conjugates differ by exactly the contact dipole",
           "[top]")
 {
-  for (const std::string mu : {"0", "0.3"})
-    {
-      std::ostringstream screen;
-      auto               overrides = shear_in_steps(10, mu);
-      overrides.push_back("Newton/Relative tolerance=1e-12");
-      OpenTest test(coarse(overrides), screen);
-      test.run();
-      // The slip history is that of the end of the last step, so with friction
-      // the state must be evaluated against the history before it: here only
-      // the frictionless dipole is evaluated anew.
-      const CurveRow &row = test.curve().back();
-      if (mu == "0")
-        {
-          const auto D = test.dipole();
-          CHECK(row.n[0] == Approx(row.N[0][0] + D[0][0]).epsilon(1e-9));
-          CHECK(row.n[1] == Approx(row.N[1][1] + D[1][1]).epsilon(1e-9));
-          CHECK(row.n[2] ==
-                Approx(0.5 * (row.N[0][1] + row.N[1][0] + D[0][1] + D[1][0]))
-                  .epsilon(1e-9));
-          // It is not small: a code that mixes the two up is wrong by this.
-          CHECK(std::abs(row.n[2] - row.N[0][1]) > 0.03 * row.n[2]);
-        }
-    }
+  // Without friction the contact forces are a function of the final state, so
+  // that the dipole can be evaluated anew, independently of the run.
+  std::ostringstream screen;
+  auto               overrides = shear_in_steps(10, "0");
+  overrides.push_back("Newton/Relative tolerance=1e-12");
+  OpenTest test(coarse(overrides), screen);
+  test.run();
+  const CurveRow &row = test.curve().back();
+  const auto      D   = test.dipole();
+  CHECK(row.n[0] == Approx(row.N[0][0] + D[0][0]).epsilon(1e-9));
+  CHECK(row.n[1] == Approx(row.N[1][1] + D[1][1]).epsilon(1e-9));
+  CHECK(row.n[2] ==
+        Approx(0.5 * (row.N[0][1] + row.N[1][0] + D[0][1] + D[1][0]))
+          .epsilon(1e-9));
+  // It is not small: a code that mixes the two up is wrong by this.
+  CHECK(std::abs(row.n[2] - row.N[0][1]) > 0.03 * row.n[2]);
 }
 
 

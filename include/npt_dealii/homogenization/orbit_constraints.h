@@ -52,8 +52,7 @@ namespace NPT
     void
     write(dealii::AffineConstraints<double> &constraints) const;
 
-    /// Representative of an unknown: index, sign, and affine part. Sign 0
-    /// means that the unknown is fixed to its affine part.
+    /// Representative of an unknown: index, sign (+1 or -1), and affine part.
     struct Representation
     {
       unsigned int root;
