@@ -3,7 +3,6 @@
 // its steps below in the order in which they are used.
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/iga/iga_values.h>
 #include <npt_dealii/material/composite_bounds.h>
 #include <npt_dealii/output/cell_fields.h>
 #include <npt_dealii/output/replace_file.h>
@@ -133,18 +132,21 @@ namespace NPT
   NumericalMaterialTest::make_micro_cell()
   {
     cell_ = std::make_unique<FiberArray>(parameters_.cell, parameters_.mesh);
-    const std::vector<unsigned int> one_body(cell_->patches().size(), 0);
-    space_ = std::make_unique<IGASpace<3>>(cell_->patches(),
-                                           one_body,
-                                           parameters_.mesh.basis);
-    macro_ = SolidMacroUnknowns(space_->n_control_points());
-
     Tensor<1, 3> fiber_direction;
     fiber_direction[0] = 1.;
-    for (unsigned int b = 0; b < space_->n_patches(); ++b)
-      laws_.push_back(make_material<3>(cell_->is_fiber(b) ? parameters_.fiber :
-                                                            parameters_.matrix,
-                                       fiber_direction));
+    std::vector<DeformablePart> parts;
+    for (unsigned int b = 0; b < cell_->patches().size(); ++b)
+      parts.push_back({cell_->patches()[b],
+                       make_material<3>(cell_->is_fiber(b) ? parameters_.fiber :
+                                                             parameters_.matrix,
+                                        fiber_direction),
+                       0,
+                       cell_->is_fiber(b) ? "the fiber" : "the matrix"});
+    bodies_ = std::make_unique<DeformableBodies>(
+      std::move(parts),
+      parameters_.mesh.basis,
+      parameters_.mesh.degree + 1 + parameters_.mesh.additional_gauss_points);
+    macro_ = SolidMacroUnknowns(bodies_->space().n_control_points());
   }
 
 
@@ -152,41 +154,14 @@ namespace NPT
   void
   NumericalMaterialTest::setup_system()
   {
-    system_.reinit(make_solid_couplings(*space_,
+    system_.reinit(make_solid_couplings(bodies_->space(),
                                         macro_,
                                         cell_->periods(),
                                         parameters_.uniform_along_fiber ? 0 :
                                                                           -1),
                    macro_.n_unknowns());
 
-    // Total Lagrangian: gradients in the reference configuration are computed
-    // once for all.
-    IGAValues<3> values(*space_,
-                        parameters_.mesh.degree + 1 +
-                          parameters_.mesh.additional_gauss_points);
-    for (unsigned int c = 0; c < space_->cells().size(); ++c)
-      {
-        values.reinit(c);
-        CellGradients cell;
-        cell.n_functions = values.dofs_per_cell();
-        cell.n_points    = values.n_quadrature_points();
-        for (unsigned int q = 0; q < cell.n_points; ++q)
-          {
-            cell.jxw.push_back(values.JxW(q));
-            for (unsigned int A = 0; A < cell.n_functions; ++A)
-              cell.values.push_back(values.shape_value(A, q));
-            for (unsigned int J = 0; J < 3; ++J)
-              for (unsigned int A = 0; A < cell.n_functions; ++A)
-                cell.gradients.push_back(values.shape_grad(A, q)[J]);
-          }
-        std::vector<unsigned int> unknowns;
-        for (unsigned int i = 0; i < 3; ++i)
-          for (const unsigned int A : values.control_points())
-            unknowns.push_back(3 * A + i);
-        system_.add_group(unknowns);
-        cell_unknowns_.push_back(unknowns);
-        gradients_.push_back(std::move(cell));
-      }
+    bodies_->add_groups(system_);
     system_.build_pattern({});
     linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
     u_.reinit(macro_.n_unknowns());
@@ -197,8 +172,8 @@ namespace NPT
        {"volume fraction", format(parameters_.cell.volume_fraction)},
        {"ligament / spacing",
         format(cell_->ligament() / parameters_.cell.fiber_spacing)},
-       {"patches", std::to_string(space_->n_patches())},
-       {"cells", std::to_string(space_->cells().size())},
+       {"patches", std::to_string(bodies_->space().n_patches())},
+       {"cells", std::to_string(bodies_->space().cells().size())},
        {"independent unknowns", std::to_string(system_.n_independent())}});
     if (directory_.empty())
       return;
@@ -234,7 +209,7 @@ namespace NPT
   NumericalMaterialTest::compute_moduli()
   {
     u_trial_ = u_;
-    assemble(u_, nullptr);
+    assemble_tangent(u_);
     const FullMatrix<double> A = macroscopic_tangent();
 
     // Strain 23 as e_23 = e_32 = gamma/2: with minor symmetry the Voigt entry
@@ -339,7 +314,7 @@ namespace NPT
       for (unsigned int k = 0; k < system_.n_free(); ++k)
         m[free(k)] = x[k];
       system_.expand(m, u_trial_);
-      assemble(u_trial_, &residual_);
+      assemble_residual(u_trial_);
       // Prescribed stresses act on the macro unknowns.
       for (unsigned int e = 0; e < n_macro; ++e)
         if (test.stress_controlled[e])
@@ -351,7 +326,7 @@ namespace NPT
         r[k] = condensed[free(k)];
     };
     const auto prepare_tangent = [&](const Vector<double> &) {
-      assemble(u_trial_, nullptr);
+      assemble_tangent(u_trial_);
       linear_solver_->factorize(system_.free_matrix());
     };
     const auto solve = [&](const Vector<double> &rhs, Vector<double> &dx) {
@@ -479,61 +454,19 @@ namespace NPT
   // -------------------------------------------------------------- assembly
 
   void
-  NumericalMaterialTest::cell_displacement(const unsigned int    c,
-                                           const Vector<double> &u,
-                                           std::vector<double>  &w) const
+  NumericalMaterialTest::assemble_residual(const Vector<double> &u)
   {
-    w.resize(cell_unknowns_[c].size());
-    for (unsigned int a = 0; a < w.size(); ++a)
-      w[a] = u[cell_unknowns_[c][a]];
+    residual_.reinit(macro_.n_unknowns());
+    force_scale_ = bodies_->add_residual(u, residual_);
   }
 
 
 
-  /*
-   * Virtual work of fibers and matrix, int delta F : P dV, or (residual null)
-   * its linearization into the system's matrix. The kernel in room `material`
-   * owns the integral over one cell.
-   */
   void
-  NumericalMaterialTest::assemble(const Vector<double> &u,
-                                  Vector<double>       *residual)
+  NumericalMaterialTest::assemble_tangent(const Vector<double> &u)
   {
-    if (residual != nullptr)
-      residual->reinit(macro_.n_unknowns());
-    else
-      system_.set_zero();
-
-    std::vector<double> w, f, K;
-    double              scale2 = 0;
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
-      {
-        const unsigned int patch = space_->cells()[c].patch;
-        cell_displacement(c, u, w);
-        try
-          {
-            kernel_.evaluate(*laws_[patch],
-                             gradients_[c],
-                             w,
-                             f,
-                             residual == nullptr ? &K : nullptr);
-          }
-        catch (const InvertedCell &)
-          {
-            throw InvertedCell("cell " + std::to_string(c) + " in the " +
-                               (cell_->is_fiber(patch) ? "fiber" : "matrix"));
-          }
-        if (residual == nullptr)
-          system_.add(c, K);
-        else
-          for (unsigned int a = 0; a < f.size(); ++a)
-            {
-              (*residual)[cell_unknowns_[c][a]] += f[a];
-              scale2 += f[a] * f[a];
-            }
-      }
-    if (residual != nullptr)
-      force_scale_ = std::sqrt(scale2);
+    system_.set_zero();
+    bodies_->add_tangent(u, system_);
   }
 
 
@@ -543,30 +476,15 @@ namespace NPT
   void
   NumericalMaterialTest::compute_averages(MaterialTestRow &row) const
   {
-    std::vector<double> w;
-    double              F[9], P[9], volume = 0, current_volume = 0;
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
-      {
-        const CellGradients      &cell = gradients_[c];
-        const HyperelasticLaw<3> &law  = *laws_[space_->cells()[c].patch];
-        cell_displacement(c, u_, w);
-        row.energy += SolidKernel::energy(law, cell, w) / cell_->volume();
-        for (unsigned int q = 0; q < cell.n_points; ++q)
-          {
-            SolidKernel::deformation_gradient(cell, w, q, F);
-            law.stress(F, P);
-            Tensor<2, 3> tensor_F;
-            for (unsigned int e = 0; e < 9; ++e)
-              {
-                row.P_average[e / 3][e % 3] +=
-                  P[e] * cell.jxw[q] / cell_->volume();
-                tensor_F[e / 3][e % 3] = F[e];
-                row.P_times_F += P[e] * F[e] * cell.jxw[q] / cell_->volume();
-              }
-            volume += cell.jxw[q];
-            current_volume += determinant(tensor_F) * cell.jxw[q];
-          }
-      }
+    double volume = 0, current_volume = 0;
+    bodies_->for_each_point(u_, [&](const auto &point) {
+      row.P_average += point.P * point.dV / cell_->volume();
+      row.P_times_F +=
+        scalar_product(point.P, point.F) * point.dV / cell_->volume();
+      volume += point.dV;
+      current_volume += determinant(point.F) * point.dV;
+    });
+    row.energy = bodies_->stored_energy(u_) / cell_->volume();
     row.mean_J = current_volume / volume;
   }
 
@@ -575,7 +493,7 @@ namespace NPT
   FullMatrix<double>
   NumericalMaterialTest::macroscopic_tangent()
   {
-    assemble(u_, nullptr);
+    assemble_tangent(u_);
     std::vector<bool> prescribed(system_.n_independent(), false);
     for (unsigned int e = 0; e < n_macro; ++e)
       prescribed[system_.independent_index(macro_.first + e)] = true;
@@ -646,7 +564,8 @@ namespace NPT
     std::string name = "cell-" + test.name + ".vtu";
     std::replace(name.begin(), name.end(), ' ', '-');
     write_vtu(directory_ + "/" + name,
-              make_bundle_fields(*space_, laws_, gradients_, u_));
+              make_bundle_fields(
+                bodies_->space(), bodies_->laws(), bodies_->gradients(), u_));
   }
 
 

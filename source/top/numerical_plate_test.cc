@@ -3,7 +3,6 @@
 // its steps below in the order in which they are used.
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/iga/iga_values.h>
 #include <npt_dealii/output/cell_fields.h>
 #include <npt_dealii/output/plots.h>
 #include <npt_dealii/solver/step_control.h>
@@ -108,18 +107,22 @@ namespace NPT
     TimerOutput::Scope timer(timer_, "Set up");
     cell_ = std::make_unique<FabricCell>(parameters_.cell, parameters_.mesh);
 
-    std::vector<NURBSPatch<3>> patches;
-    std::vector<unsigned int>  bodies;
+    std::vector<DeformablePart> parts;
     for (const FiberBundle &bundle : cell_->bundles())
-      {
-        patches.push_back(bundle.patch);
-        bodies.push_back(bundle.body);
-        laws_.push_back(
-          make_material<3>(parameters_.material, bundle.direction));
-      }
-    space_ =
-      std::make_unique<IGASpace<3>>(patches, bodies, parameters_.mesh.basis);
-    macro_ = MacroUnknowns(space_->n_control_points());
+      parts.push_back({bundle.patch,
+                       make_material<3>(parameters_.material, bundle.direction),
+                       bundle.body,
+                       "bundle " + std::to_string(parts.size())});
+    // A cell and its image under the 2-fold axis do the same work: one of them
+    // is integrated, twice.
+    bodies_ = std::make_unique<DeformableBodies>(
+      std::move(parts),
+      parameters_.mesh.basis,
+      0,
+      [&](const unsigned int bundle, const dealii::Point<3> &center) {
+        return cell_->multiplicity(bundle, center);
+      });
+    macro_ = MacroUnknowns(bodies_->space().n_control_points());
   }
 
 
@@ -129,46 +132,6 @@ namespace NPT
   {
     TimerOutput::Scope timer(timer_, "Set up");
 
-    // Total Lagrangian: gradients in the reference configuration are computed
-    // once for all.
-    IGAValues<3> values(*space_);
-    for (unsigned int c = 0; c < space_->cells().size(); ++c)
-      {
-        values.reinit(c);
-        CellGradients cell;
-        cell.n_functions = values.dofs_per_cell();
-        cell.n_points    = values.n_quadrature_points();
-        for (unsigned int q = 0; q < cell.n_points; ++q)
-          {
-            cell.jxw.push_back(values.JxW(q));
-            for (unsigned int A = 0; A < cell.n_functions; ++A)
-              cell.values.push_back(values.shape_value(A, q));
-            for (unsigned int J = 0; J < 3; ++J)
-              for (unsigned int A = 0; A < cell.n_functions; ++A)
-                cell.gradients.push_back(values.shape_grad(A, q)[J]);
-          }
-
-        std::vector<unsigned int> unknowns;
-        for (unsigned int i = 0; i < 3; ++i)
-          for (const unsigned int A : values.control_points())
-            unknowns.push_back(3 * A + i);
-        cell_unknowns_.push_back(unknowns);
-
-        // A cell and its image under the 2-fold axis do the same work: one of
-        // them is integrated, twice.
-        dealii::Point<3> center;
-        double           volume = 0;
-        for (unsigned int q = 0; q < cell.n_points; ++q)
-          {
-            center += values.quadrature_point(q) * values.JxW(q);
-            volume += values.JxW(q);
-          }
-        multiplicity_.push_back(
-          cell_->multiplicity(space_->cells()[c].patch,
-                              dealii::Point<3>(center / volume)));
-        gradients_.push_back(std::move(cell));
-      }
-
     // Surfaces that may touch: faces of base bundles against images.
     std::map<std::pair<unsigned int, unsigned int>, const IGASurface<3> *>
                faces;
@@ -177,7 +140,7 @@ namespace NPT
       if (surface == nullptr)
         {
           surfaces_.push_back(
-            std::make_unique<IGASurface<3>>(*space_, bundle, 2, side));
+            std::make_unique<IGASurface<3>>(bodies_->space(), bundle, 2, side));
           surface = surfaces_.back().get();
         }
       return surface;
@@ -263,7 +226,7 @@ namespace NPT
     log_.header("npt_dealii",
                 {{"cell", parameters_.cell.type},
                  {"bundles", std::to_string(cell_->bundles().size())},
-                 {"cells", std::to_string(space_->cells().size())},
+                 {"cells", std::to_string(bodies_->space().cells().size())},
                  {"degree", std::to_string(parameters_.mesh.degree)},
                  {"unknowns", std::to_string(macro_.n_unknowns())},
                  {"contact nodes",
@@ -282,11 +245,9 @@ namespace NPT
     const bool         weaving = stage.type == LoadStage::Type::weave;
 
     const auto constraints =
-      make_couplings(*cell_, *space_, macro_, ghosts_, height_);
+      make_couplings(*cell_, bodies_->space(), macro_, ghosts_, height_);
     system_.reinit(constraints, macro_.n_unknowns());
-    for (unsigned int c = 0; c < cell_unknowns_.size(); ++c)
-      if (multiplicity_[c] > 0)
-        system_.add_group(cell_unknowns_[c]);
+    bodies_->add_groups(system_);
     contact_couplings_.clear();
     pattern_is_current_ = false;
 
@@ -327,17 +288,9 @@ namespace NPT
     foundation_.clear();
     if (weaving && cell_->needs_vertical_pin())
       {
-        foundation_.assign(space_->n_control_points(), 0.);
-        for (unsigned int c = 0; c < gradients_.size(); ++c)
-          {
-            const CellGradients &cell = gradients_[c];
-            const auto           A    = space_->control_points_of_cell(c);
-            for (unsigned int q = 0; q < cell.n_points; ++q)
-              for (unsigned int a = 0; a < cell.n_functions; ++a)
-                foundation_[A[a]] += multiplicity_[c] *
-                                     cell.values[q * cell.n_functions + a] *
-                                     cell.jxw[q] * foundation_stiffness;
-          }
+        foundation_ = bodies_->integrals_of_functions(true);
+        for (double &stiffness : foundation_)
+          stiffness *= foundation_stiffness;
       }
 
     // The accepted state must obey the couplings of the new stage: dropping a
@@ -553,7 +506,7 @@ namespace NPT
           std::max(row.largest_penetration, summary.largest_penetration);
         contact->commit();
       }
-    row.stored_energy     = stored_energy(u_trial_);
+    row.stored_energy     = bodies_->stored_energy(u_trial_);
     row.newton_iterations = report_.iterations;
     row.newton_order      = report_.order();
     row.cuts              = cuts_;
@@ -570,21 +523,14 @@ namespace NPT
         // the heights of the material points in the woven state.
         // Measured from their mean, so that they are cell-centered wherever
         // the pin has put the cell.
-        height_.resize(space_->n_control_points());
-        std::vector<double> weight(height_.size(), 0.);
-        for (unsigned int c = 0; c < gradients_.size(); ++c)
-          {
-            const CellGradients &cell = gradients_[c];
-            const auto           A    = space_->control_points_of_cell(c);
-            for (unsigned int q = 0; q < cell.n_points; ++q)
-              for (unsigned int a = 0; a < cell.n_functions; ++a)
-                weight[A[a]] +=
-                  cell.values[q * cell.n_functions + a] * cell.jxw[q];
-          }
+        const std::vector<double> weight =
+          bodies_->integrals_of_functions(false);
+        height_.resize(weight.size());
         double mean = 0, volume = 0;
         for (unsigned int A = 0; A < height_.size(); ++A)
           {
-            height_[A] = space_->control_points()[A][2] + u_[3 * A + 2];
+            height_[A] =
+              bodies_->space().control_points()[A][2] + u_[3 * A + 2];
             mean += weight[A] * height_[A];
             volume += weight[A];
           }
@@ -607,25 +553,13 @@ namespace NPT
   // -------------------------------------------------------------- assembly
 
   void
-  NumericalPlateTest::cell_displacement(const unsigned int    c,
-                                        const Vector<double> &u,
-                                        std::vector<double>  &w) const
-  {
-    w.resize(cell_unknowns_[c].size());
-    for (unsigned int a = 0; a < w.size(); ++a)
-      w[a] = u[cell_unknowns_[c][a]];
-  }
-
-
-
-  void
   NumericalPlateTest::assemble_residual(const Vector<double> &u,
                                         Vector<double>       &residual)
   {
     residual.reinit(macro_.n_unknowns());
     {
       TimerOutput::Scope timer(timer_, "Residual: bundles");
-      assemble_bundles(u, &residual);
+      force_scale_ = bodies_->add_residual(u, residual);
     }
     {
       TimerOutput::Scope timer(timer_, "Residual: contact");
@@ -646,50 +580,6 @@ namespace NPT
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       if (resultant_controlled_[n])
         residual[macro_.mode(n)] -= applied_[n] * cell_->area();
-  }
-
-
-
-  /*
-   * Virtual work of the bundles, int delta F : P dV, and its linearization.
-   * The kernel in room `material` owns the integral over one cell.
-   */
-  void
-  NumericalPlateTest::assemble_bundles(const Vector<double> &u,
-                                       Vector<double>       *residual)
-  {
-    std::vector<double> w, f, K;
-    unsigned int        group  = 0;
-    double              scale2 = 0;
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
-      {
-        if (multiplicity_[c] == 0)
-          continue;
-        const HyperelasticLaw<3> &law = *laws_[space_->cells()[c].patch];
-        cell_displacement(c, u, w);
-        try
-          {
-            kernel_.evaluate(
-              law, gradients_[c], w, f, residual == nullptr ? &K : nullptr);
-          }
-        catch (const InvertedCell &)
-          {
-            throw InvertedCell("cell " + std::to_string(c) + " of bundle " +
-                               std::to_string(space_->cells()[c].patch));
-          }
-
-        if (residual != nullptr)
-          for (unsigned int a = 0; a < f.size(); ++a)
-            {
-              (*residual)[cell_unknowns_[c][a]] += multiplicity_[c] * f[a];
-              scale2 += multiplicity_[c] * f[a] * f[a];
-            }
-        else
-          system_.add(group, K, multiplicity_[c]);
-        ++group;
-      }
-    if (residual != nullptr)
-      force_scale_ = std::sqrt(scale2);
   }
 
 
@@ -742,7 +632,7 @@ namespace NPT
         if (!pattern_is_current_)
           continue; // a new coupling appeared: widen the pattern
         TimerOutput::Scope timer(timer_, "Tangent: bundles");
-        assemble_bundles(u, nullptr);
+        bodies_->add_tangent(u, system_);
         return;
       }
     AssertThrow(false, dealii::ExcInternalError());
@@ -752,56 +642,18 @@ namespace NPT
 
   // --------------------------------------------------------------- results
 
-  double
-  NumericalPlateTest::stored_energy(const Vector<double> &u) const
-  {
-    double              sum = 0;
-    std::vector<double> w;
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
-      if (multiplicity_[c] > 0)
-        {
-          cell_displacement(c, u, w);
-          sum += multiplicity_[c] *
-                 SolidKernel::energy(*laws_[space_->cells()[c].patch],
-                                     gradients_[c],
-                                     w);
-        }
-    return sum;
-  }
-
-
-
   Resultants
   NumericalPlateTest::compute_averages(const Vector<double> &u) const
   {
-    Resultants          sum;
-    std::vector<double> w;
-    double              F[9], P[9];
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
-      {
-        if (multiplicity_[c] == 0)
-          continue;
-        const CellGradients &cell = gradients_[c];
-        cell_displacement(c, u, w);
-        const auto A = space_->control_points_of_cell(c);
-        for (unsigned int q = 0; q < cell.n_points; ++q)
-          {
-            SolidKernel::deformation_gradient(cell, w, q, F);
-            laws_[space_->cells()[c].patch]->stress(F, P);
-            double Z3 = 0;
-            for (unsigned int a = 0; a < cell.n_functions; ++a)
-              Z3 += cell.values[q * cell.n_functions + a] *
-                    (height_.empty() ? space_->control_points()[A[a]][2] :
-                                       height_[A[a]]);
-            const double dV = multiplicity_[c] * cell.jxw[q];
-            for (unsigned int i = 0; i < 3; ++i)
-              for (unsigned int j = 0; j < 3; ++j)
-                {
-                  sum.N[i][j] += P[3 * i + j] * dV;
-                  sum.M[i][j] += Z3 * P[3 * i + j] * dV;
-                }
-          }
-      }
+    std::vector<double> Z3 = height_;
+    if (Z3.empty())
+      for (const dealii::Point<3> &X : bodies_->space().control_points())
+        Z3.push_back(X[2]);
+    Resultants sum;
+    bodies_->for_each_point(u, [&](const auto &point) {
+      sum.N += point.P * point.dV;
+      sum.M += bodies_->interpolate(point, Z3) * point.P * point.dV;
+    });
     return complete_by_symmetry(*cell_, sum);
   }
 
@@ -822,7 +674,8 @@ namespace NPT
 
     const std::string bundles = "bundles-" + number.str() + ".vtu";
     write_vtu(directory_ + "/" + bundles,
-              make_bundle_fields(*space_, laws_, gradients_, u_));
+              make_bundle_fields(
+                bodies_->space(), bodies_->laws(), bodies_->gradients(), u_));
     bundle_files_.emplace_back(time, bundles);
     write_pvd(directory_ + "/fields.pvd", bundle_files_);
 
@@ -832,7 +685,7 @@ namespace NPT
           "contact-" + std::to_string(k) + "-" + number.str() + ".vtu";
         const ContactCandidates &pair = cell_->contacts()[k];
         write_vtu(directory_ + "/" + name,
-                  make_contact_fields(*space_,
+                  make_contact_fields(bodies_->space(),
                                       pair.secondary_bundle,
                                       pair.secondary_side,
                                       *contacts_[k],

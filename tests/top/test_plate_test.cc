@@ -29,11 +29,11 @@ namespace
       : NumericalPlateTest(parameters, "", screen)
     {}
 
+    using NumericalPlateTest::bodies_;
     using NumericalPlateTest::cell_;
     using NumericalPlateTest::contacts_;
     using NumericalPlateTest::ghosts_;
     using NumericalPlateTest::macro_;
-    using NumericalPlateTest::space_;
     using NumericalPlateTest::u_;
 
     dealii::Tensor<2, 3>
@@ -45,7 +45,7 @@ namespace
           contact->evaluate(u_);
           contact->add_residual(force);
         }
-      return contact_dipole(*cell_, *space_, ghosts_, force);
+      return contact_dipole(*cell_, bodies_->space(), ghosts_, force);
     }
   };
 

@@ -15,6 +15,7 @@
 #include <npt_dealii/solver/linear_solver.h>
 #include <npt_dealii/solver/newton.h>
 #include <npt_dealii/study/identification.h>
+#include <npt_dealii/top/deformable_bodies.h>
 #include <npt_dealii/top/material_test_parameters.h>
 
 #include <memory>
@@ -125,13 +126,11 @@ namespace NPT
     write_row(const MaterialTestRow &row);
 
     void
-    assemble(const dealii::Vector<double> &u, dealii::Vector<double> *residual);
+    assemble_residual(const dealii::Vector<double> &u);
+    void
+    assemble_tangent(const dealii::Vector<double> &u);
     void
     compute_averages(MaterialTestRow &row) const;
-    void
-    cell_displacement(const unsigned int            cell,
-                      const dealii::Vector<double> &u,
-                      std::vector<double>          &w) const;
     void
     output_fields(const MaterialTest &test) const;
 
@@ -141,16 +140,12 @@ namespace NPT
     const double                 cpu_start_;
 
     // The cell and its discretization.
-    std::unique_ptr<FiberArray>                      cell_;
-    std::unique_ptr<IGASpace<3>>                     space_;
-    std::vector<std::unique_ptr<HyperelasticLaw<3>>> laws_; // by patch
-    std::vector<CellGradients>                       gradients_;
-    std::vector<std::vector<unsigned int>>           cell_unknowns_;
-    SolidMacroUnknowns                               macro_;
+    std::unique_ptr<FiberArray>       cell_;
+    std::unique_ptr<DeformableBodies> bodies_; // fibers and matrix
+    SolidMacroUnknowns                macro_;
 
     CondensedSystem               system_;
     std::unique_ptr<LinearSolver> linear_solver_;
-    SolidKernel                   kernel_;
     double                        force_scale_ = 0;
 
     // The accepted state of the present test and the one before.

@@ -17,6 +17,7 @@
 #include <npt_dealii/solver/condensed_system.h>
 #include <npt_dealii/solver/linear_solver.h>
 #include <npt_dealii/solver/newton.h>
+#include <npt_dealii/top/deformable_bodies.h>
 #include <npt_dealii/top/parameters.h>
 
 #include <deal.II/base/timer.h>
@@ -92,14 +93,9 @@ namespace NPT
     void
     assemble_tangent(const dealii::Vector<double> &u);
     void
-    assemble_bundles(const dealii::Vector<double> &u,
-                     dealii::Vector<double>       *residual);
-    void
     rebuild_pattern();
     Resultants
     compute_averages(const dealii::Vector<double> &u) const;
-    double
-    stored_energy(const dealii::Vector<double> &u) const;
 
     void
     output_fields(const std::string &stage);
@@ -107,12 +103,6 @@ namespace NPT
     finish_output();
     double
     cpu_seconds() const;
-
-    /// Local unknowns of a cell, ordered by component as the kernel wants.
-    void
-    cell_displacement(const unsigned int            cell,
-                      const dealii::Vector<double> &u,
-                      std::vector<double>          &w) const;
 
     const Parameters    parameters_;
     const std::string   directory_;
@@ -122,11 +112,7 @@ namespace NPT
 
     // The cell and its discretization.
     std::unique_ptr<FabricCell>                       cell_;
-    std::unique_ptr<IGASpace<3>>                      space_;
-    std::vector<std::unique_ptr<HyperelasticLaw<3>>>  laws_; // by bundle
-    std::vector<CellGradients>                        gradients_;
-    std::vector<unsigned int>                         multiplicity_;
-    std::vector<std::vector<unsigned int>>            cell_unknowns_;
+    std::unique_ptr<DeformableBodies>                 bodies_; // bundles
     std::vector<std::unique_ptr<IGASurface<3>>>       surfaces_;
     std::vector<std::unique_ptr<ContactAssembler<3>>> contacts_;
     MacroUnknowns                                     macro_;
@@ -136,7 +122,6 @@ namespace NPT
     // The system of the present stage.
     CondensedSystem                        system_;
     std::unique_ptr<LinearSolver>          linear_solver_;
-    SolidKernel                            kernel_;
     std::vector<std::vector<unsigned int>> contact_couplings_;
     bool                                   pattern_is_current_ = false;
     bool                                   friction_was_on_    = false;
