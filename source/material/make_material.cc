@@ -108,6 +108,13 @@ namespace NPT
                       "neo-Hookean: Poisson's ratio -1 < nu < 0.5 [-] at small "
                       "strain, lambda = E nu/((1 + nu)(1 - 2 nu)) in "
                       "Eq. (51).");
+    prm.declare_entry("Volumetric energy",
+                      "logarithm",
+                      Patterns::Selection("logarithm|Ciarlet"),
+                      "neo-Hookean: lambda/2 (ln J)^2 of Eq. (51), or "
+                      "lambda/4 (J^2 - 1 - 2 ln J) of Ciarlet, which other "
+                      "programs have too. They differ in the third order of "
+                      "the strain.");
 
     prm.leave_subsection();
   }
@@ -129,6 +136,9 @@ namespace NPT
     fiber_bundle.d      = prm.get_double("d_trn");
     young_modulus       = prm.get_double("Young modulus");
     poisson_ratio       = prm.get_double("Poisson ratio");
+    volumetric_energy   = prm.get("Volumetric energy") == "Ciarlet" ?
+                            VolumetricEnergy::ciarlet :
+                            VolumetricEnergy::logarithm;
     prm.leave_subsection();
 
     if (law == Law::fiber_bundle)
@@ -164,7 +174,9 @@ namespace NPT
         case MaterialParameters::Law::neo_hookean:
           return std::make_unique<NeoHookean<dim>>(
             NeoHookeanConstants::from_young_and_poisson(
-              parameters.young_modulus, parameters.poisson_ratio));
+              parameters.young_modulus,
+              parameters.poisson_ratio,
+              parameters.volumetric_energy));
       }
     AssertThrow(false, dealii::ExcNotImplemented());
     return {};

@@ -8,12 +8,40 @@
 
 namespace NPT
 {
+  namespace
+  {
+    // U(J) and its first two derivatives by ln J.
+    struct Volumetric
+    {
+      double value, first, second;
+    };
+
+    Volumetric
+    volumetric(const NeoHookeanConstants &constants, const double log_J)
+    {
+      const double lambda = constants.lambda;
+      if (constants.volumetric_energy == VolumetricEnergy::logarithm)
+        return {0.5 * lambda * log_J * log_J, lambda * log_J, lambda};
+      // J^2 - 1 without cancellation at small strain.
+      const double J2_minus_1 = std::expm1(2. * log_J);
+      return {0.25 * lambda * (J2_minus_1 - 2. * log_J),
+              0.5 * lambda * J2_minus_1,
+              lambda * (J2_minus_1 + 1.)};
+    }
+  } // namespace
+
+
+
   NeoHookeanConstants
-  NeoHookeanConstants::from_young_and_poisson(const double young_modulus,
-                                              const double poisson_ratio)
+  NeoHookeanConstants::from_young_and_poisson(
+    const double           young_modulus,
+    const double           poisson_ratio,
+    const VolumetricEnergy volumetric_energy)
   {
     const double E = young_modulus, nu = poisson_ratio;
-    return {E / (2. * (1. + nu)), E * nu / ((1. + nu) * (1. - 2. * nu))};
+    return {E / (2. * (1. + nu)),
+            E * nu / ((1. + nu) * (1. - 2. * nu)),
+            volumetric_energy};
   }
 
 
@@ -29,7 +57,9 @@ namespace NPT
   std::string
   NeoHookean<dim>::name() const
   {
-    return "neo-Hookean";
+    return constants_.volumetric_energy == VolumetricEnergy::logarithm ?
+             "neo-Hookean" :
+             "neo-Hookean, Ciarlet";
   }
 
 
@@ -38,7 +68,7 @@ namespace NPT
   double
   NeoHookean<dim>::energy(const double *F) const
   {
-    const auto [mu, lambda] = constants_;
+    const double mu = constants_.mu;
 
     double       G[dim * dim];
     const double log_J = std::log(inverse_transpose<dim>(F, G));
@@ -48,7 +78,8 @@ namespace NPT
     for (int e = 0; e < dim * dim; ++e)
       I1_minus_3 += F[e] * F[e];
 
-    return 0.5 * mu * I1_minus_3 - mu * log_J + 0.5 * lambda * log_J * log_J;
+    return 0.5 * mu * I1_minus_3 - mu * log_J +
+           volumetric(constants_, log_J).value;
   }
 
 
@@ -57,11 +88,11 @@ namespace NPT
   void
   NeoHookean<dim>::stress(const double *F, double *P) const
   {
-    const auto [mu, lambda] = constants_;
+    const double mu = constants_.mu;
 
     double       G[dim * dim];
     const double log_J       = std::log(inverse_transpose<dim>(F, G));
-    const double dPsi_dlog_J = lambda * log_J - mu;
+    const double dPsi_dlog_J = volumetric(constants_, log_J).first - mu;
 
     for (int e = 0; e < dim * dim; ++e)
       P[e] = mu * F[e] + dPsi_dlog_J * G[e];
@@ -75,11 +106,12 @@ namespace NPT
                                       double       *P,
                                       double       *A) const
   {
-    const auto [mu, lambda] = constants_;
+    const double mu = constants_.mu;
 
-    double       G[dim * dim];
-    const double log_J       = std::log(inverse_transpose<dim>(F, G));
-    const double dPsi_dlog_J = lambda * log_J - mu;
+    double           G[dim * dim];
+    const double     log_J       = std::log(inverse_transpose<dim>(F, G));
+    const Volumetric U           = volumetric(constants_, log_J);
+    const double     dPsi_dlog_J = U.first - mu;
 
     for (int e = 0; e < dim * dim; ++e)
       P[e] = mu * F[e] + dPsi_dlog_J * G[e];
@@ -91,7 +123,7 @@ namespace NPT
           double *row = A + (i * dim + J) * dim * dim;
           for (int k = 0; k < dim; ++k)
             for (int L = 0; L < dim; ++L)
-              row[k * dim + L] = lambda * G[i * dim + J] * G[k * dim + L] -
+              row[k * dim + L] = U.second * G[i * dim + J] * G[k * dim + L] -
                                  dPsi_dlog_J * G[i * dim + L] * G[k * dim + J];
           row[i * dim + J] += mu;
         }

@@ -31,6 +31,10 @@ namespace
     std::vector<std::unique_ptr<HyperelasticLaw<dim>>> laws;
     laws.push_back(std::make_unique<NeoHookean<dim>>(
       NeoHookeanConstants::from_young_and_poisson(100., 0.3)));
+    laws.push_back(std::make_unique<NeoHookean<dim>>(
+      NeoHookeanConstants::from_young_and_poisson(100.,
+                                                  0.3,
+                                                  VolumetricEnergy::ciarlet)));
     laws.push_back(
       std::make_unique<FiberBundleLaw<dim>>(FiberBundleConstants(),
                                             random_direction<dim>(generator)));
@@ -387,6 +391,39 @@ TEST_CASE("The neo-Hookean law has the closed form of uniaxial stretch and the "
   CHECK(S(0, 0) == Approx(1. / E));
   CHECK(S(0, 1) == Approx(-nu / E));
   CHECK(S(3, 3) == Approx(1. / m.mu));
+}
+
+
+
+TEST_CASE("The neo-Hookean law of Ciarlet has the closed form of dilation and "
+          "differs from the logarithmic one in the third order of ln J",
+          "[material]")
+{
+  const auto logarithm = NeoHookeanConstants::from_young_and_poisson(10., 0.3);
+  const auto ciarlet =
+    NeoHookeanConstants::from_young_and_poisson(10.,
+                                                0.3,
+                                                VolumetricEnergy::ciarlet);
+  const NeoHookean<3> law_1(logarithm), law_2(ciarlet);
+
+  Tensor<2, 3> P;
+  for (const double s : {0.7, 1.4})
+    {
+      const Tensor<2, 3> F  = s * identity<3>();
+      const double       J2 = std::pow(s, 6);
+      law_2.stress(F, P);
+      CHECK(P[0][0] == Approx(ciarlet.mu * (s - 1. / s) +
+                              0.5 * ciarlet.lambda * (J2 - 1.) / s));
+      CHECK(std::abs(P[0][1]) < 1e-14);
+    }
+
+  // U_2 - U_1 = lambda (ln J)^3 / 3 (1 + (ln J)/2 + ...)
+  const double log_J      = 1e-3;
+  const auto   F          = std::exp(log_J / 3.) * identity<3>();
+  const double difference = law_2.energy(F) - law_1.energy(F);
+  CHECK(difference ==
+        Approx(ciarlet.lambda * std::pow(log_J, 3) / 3. * (1. + 0.5 * log_J))
+          .epsilon(1e-5));
 }
 
 

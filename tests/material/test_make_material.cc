@@ -77,6 +77,13 @@ TEST_CASE("Entries of a parameter file reach the law they belong to",
   const auto &m = dynamic_cast<const NeoHookean<3> &>(*isotropic).constants();
   CHECK(m.mu == Approx(10.));
   CHECK(m.lambda == Approx(15.));
+  CHECK(m.volumetric_energy == VolumetricEnergy::logarithm);
+
+  const auto ciarlet = make_material<3>(parse("set Law = neo-Hookean\n"
+                                              "set Volumetric energy = "
+                                              "Ciarlet\n"),
+                                        first_axis<3>());
+  CHECK(ciarlet->name() == "neo-Hookean, Ciarlet");
 }
 
 

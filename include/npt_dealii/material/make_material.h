@@ -34,9 +34,10 @@ namespace NPT
     };
 
     Law                  law = Law::fiber_bundle;
-    FiberBundleConstants fiber_bundle;         ///< (51), (52) [MPa]
-    double               young_modulus = 100.; ///< neo-Hookean [MPa]
-    double               poisson_ratio = 0.3;  ///< neo-Hookean [-]
+    FiberBundleConstants fiber_bundle;             ///< (51), (52) [MPa]
+    double               young_modulus     = 100.; ///< neo-Hookean [MPa]
+    double               poisson_ratio     = 0.3;  ///< neo-Hookean [-]
+    VolumetricEnergy     volumetric_energy = VolumetricEnergy::logarithm;
 
     static void
     declare_parameters(dealii::ParameterHandler &prm,

@@ -9,26 +9,45 @@
 
 namespace NPT
 {
-  /// Lame constants [MPa].
+  /**
+   * The volumetric energy U(J) of a neo-Hookean law. Both have U'' = lambda at
+   * J = 1 and differ in the third order of the strain.
+   */
+  enum class VolumetricEnergy
+  {
+    logarithm, ///< lambda/2 (ln J)^2, Eq. (51)
+    ciarlet    ///< lambda/4 (J^2 - 1 - 2 ln J), Eq. (A14)
+  };
+
+  /// Lame constants [MPa] and the volumetric energy they belong to.
   struct NeoHookeanConstants
   {
-    double mu;
-    double lambda;
+    double           mu;
+    double           lambda;
+    VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithm;
 
     /// From Young's modulus [MPa] and Poisson's ratio, -1 < nu < 1/2.
     static NeoHookeanConstants
-    from_young_and_poisson(const double young_modulus,
-                           const double poisson_ratio);
+    from_young_and_poisson(
+      const double           young_modulus,
+      const double           poisson_ratio,
+      const VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithm);
   };
 
   /**
-   * Compressible neo-Hookean law, Eq. (51):
+   * Compressible neo-Hookean law, Eq. (51) with one of two volumetric energies:
    *
-   * @f[ \Psi = \tfrac{\mu}{2} (I_1 - 3) - \mu \ln J
-   *          + \tfrac{\lambda}{2} (\ln J)^2 @f]
-   * @f[ P = \mu F + (\lambda \ln J - \mu) F^{-T} @f]
+   * @f[ \Psi = \tfrac{\mu}{2} (I_1 - 3) - \mu \ln J + U(J), \qquad
+   *     U = \tfrac{\lambda}{2} (\ln J)^2 \quad \text{or} \quad
+   *     U = \tfrac{\lambda}{4} (J^2 - 1 - 2 \ln J) @f]
+   * @f[ P = \mu F + (J U' - \mu) F^{-T}, \qquad
+   *     J U' = \lambda \ln J \quad \text{or} \quad
+   *     J U' = \tfrac{\lambda}{2} (J^2 - 1) @f]
    *
-   * with I_1 = tr C of the three-dimensional C also for dim = 2.
+   * with I_1 = tr C of the three-dimensional C also for dim = 2. The second
+   * energy is polyconvex and bounds the volume from above more strongly; other
+   * programs offer it, so that results can be compared without a difference
+   * of the laws. Reference: Ciarlet, Mathematical Elasticity I (1988), 4.10.
    */
   template <int dim>
   class NeoHookean final : public HyperelasticLaw<dim>
