@@ -6,9 +6,11 @@
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/output/run_summary.h>
 #include <npt_dealii/top/material_test_parameters.h>
 #include <npt_dealii/top/numerical_material_test.h>
 #include <npt_dealii/top/numerical_plate_test.h>
+#include <npt_dealii/top/parameter_study.h>
 #include <npt_dealii/top/parameters.h>
 
 #include <deal.II/base/mpi.h>
@@ -50,6 +52,40 @@ namespace
       throw InputError("The output directory '" + directory +
                        "' cannot be created: " + error.message() + ".");
     return directory;
+  }
+
+
+
+  // A plate test, and summary.csv that says how it ended.
+  void
+  run_plate_test(const Parameters &parameters, const std::string &directory)
+  {
+    NumericalPlateTest test(parameters, directory, std::cout);
+    const auto         summarize = [&]() {
+      RunSummary summary = summarize_curve(test.curve());
+      summary.status     = "done";
+      summary.n_unknowns = test.n_unknowns();
+      return summary;
+    };
+    try
+      {
+        test.run();
+      }
+    catch (const StageFailed &failure)
+      {
+        RunSummary summary = summarize();
+        summary.status     = "failed";
+        summary.reason     = failure.reason();
+        summary.message    = failure.what();
+        // The curve has the cuts of accepted steps only.
+        unsigned int cuts_of_stage = 0;
+        for (const CurveRow &row : test.curve())
+          cuts_of_stage += row.stage == failure.stage() ? row.cuts : 0;
+        summary.cuts += failure.n_cuts() - cuts_of_stage;
+        write_run_summary(directory + "/summary.csv", summary);
+        throw;
+      }
+    write_run_summary(directory + "/summary.csv", summarize());
   }
 
 
@@ -105,18 +141,31 @@ namespace
         const auto parameters = Parameters::read(text, command.overrides);
         if (done_with_parameters(command, parameters))
           return 0;
-        NumericalPlateTest test(
-          parameters,
-          make_output_directory(command, parameters.output.directory),
-          std::cout);
-        test.run();
+        run_plate_test(parameters,
+                       make_output_directory(command,
+                                             parameters.output.directory));
+      }
+    else if (problem == "parameter study")
+      {
+        const auto parameters = StudyParameters::read(text, command.overrides);
+        if (command.action == CommandLine::Action::validate)
+          std::cout << parameters.cases.size() << " cases: ";
+        if (done_with_parameters(command, parameters))
+          return 0;
+        run_parameter_study(parameters,
+                            make_output_directory(command,
+                                                  parameters.directory),
+                            std::cout);
       }
     else
-      throw InputError(
-        "Problem is '" + problem +
-        "'; it must be plate test, material test or identification" +
-        did_you_mean(problem,
-                     {"plate test", "material test", "identification"}));
+      throw InputError("Problem is '" + problem +
+                       "'; it must be plate test, material test, "
+                       "identification or parameter study" +
+                       did_you_mean(problem,
+                                    {"plate test",
+                                     "material test",
+                                     "identification",
+                                     "parameter study"}));
     return 0;
   }
 } // namespace

@@ -79,7 +79,8 @@ namespace NPT
     std::string
     at(const std::string &file, const unsigned int line)
     {
-      return file + ":" + std::to_string(line) + ": ";
+      // Statements without a line come from the command line.
+      return file + (line > 0 ? ":" + std::to_string(line) : "") + ": ";
     }
 
     void

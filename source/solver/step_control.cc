@@ -161,6 +161,8 @@ namespace NPT
     const unsigned int level = trial_level();
     if (level == 0)
       {
+        // "inverted cell: cell 7 of bundle 1" has its name before the colon.
+        const std::string  short_reason = reason.substr(0, reason.find(':'));
         std::ostringstream message;
         message << (name.empty() ? std::string("The stage") : "Stage " + name)
                 << " was given up at load factor " << load_factor()
@@ -168,9 +170,10 @@ namespace NPT
                 << ") and half of it is below the Minimum step "
                 << parameters.minimum_step << "; " << n_cuts_
                 << (n_cuts_ == 1 ? " failed step, " : " failed steps, ")
-                << n_accepted_ << " accepted. What to try: " << hint(reason)
-                << ".";
-        throw StageFailed(message.str());
+                << n_accepted_
+                << " accepted. What to try: " << hint(short_reason) << ".";
+        throw StageFailed(
+          message.str(), short_reason, name, load_factor(), n_cuts_);
       }
     step_level = level - 1;
   }

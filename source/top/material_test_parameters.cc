@@ -81,12 +81,13 @@ namespace NPT
     {
       prm.declare_entry("Problem",
                         problem,
-                        Patterns::Selection(
-                          "plate test|material test|identification"),
+                        Patterns::Selection("plate test|material test|"
+                                            "identification|parameter study"),
                         "What the program does: numerical plate testing of a "
                         "woven cell, numerical material testing of a micro "
-                        "cell of fibers and matrix, or identification of a "
-                        "bundle law from test data.");
+                        "cell of fibers and matrix, identification of a "
+                        "bundle law from test data, or a study of many plate "
+                        "tests.");
     }
 
     // A constituent: the entries of any material, neo-Hookean by default.

@@ -102,7 +102,52 @@ namespace NPT
   class StageFailed : public std::runtime_error
   {
   public:
-    using std::runtime_error::runtime_error;
+    /**
+     * @param message What a person reads: stage, load factor, reason, hint.
+     * @param reason  Short name as in LoadStepFailure::reason().
+     * @param stage   Name of the stage; results end in it at @p load_factor.
+     * @param n_cuts  Failed load steps of the stage.
+     */
+    StageFailed(const std::string &message,
+                const std::string &reason      = "",
+                const std::string &stage       = "",
+                const double       load_factor = 0,
+                const unsigned int n_cuts      = 0)
+      : std::runtime_error(message)
+      , reason_(reason)
+      , stage_(stage)
+      , load_factor_(load_factor)
+      , n_cuts_(n_cuts)
+    {}
+
+    const std::string &
+    reason() const
+    {
+      return reason_;
+    }
+
+    const std::string &
+    stage() const
+    {
+      return stage_;
+    }
+
+    double
+    load_factor() const
+    {
+      return load_factor_;
+    }
+
+    unsigned int
+    n_cuts() const
+    {
+      return n_cuts_;
+    }
+
+  private:
+    std::string  reason_, stage_;
+    double       load_factor_;
+    unsigned int n_cuts_;
   };
 } // namespace NPT
 

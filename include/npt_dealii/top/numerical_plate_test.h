@@ -67,6 +67,13 @@ namespace NPT
       return curve_;
     }
 
+    /// Unknowns of Newton's method in the present stage.
+    unsigned int
+    n_unknowns() const
+    {
+      return system_.n_free();
+    }
+
   protected:
     void
     make_unit_cell();

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns what the pictures of all studies have in common: gnuplot script, size,
+// colors and symbols.
+
+#ifndef npt_dealii_study_study_plots_h
+#define npt_dealii_study_study_plots_h
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace NPT
+{
+  /// Text in gnuplot's single quotes.
+  std::string
+  gnuplot_text(const std::string &text);
+
+  /// Color i of eight that color-blind readers can tell apart (Okabe, Ito);
+  /// more begin anew.
+  std::string
+  study_color(const unsigned int i);
+
+  /// Options of gnuplot for curve i: color, symbol, line.
+  std::string
+  study_line_style(const unsigned int i);
+
+  /// A number in as few digits as needed: 0.01, 1e-05, 12.5.
+  std::string
+  short_number(const double value);
+
+  /**
+   * Write the script NAME.gp in a folder and run it: draws NAME.svg and
+   * NAME.png.
+   *
+   * @param n_rows, n_columns Panels of the picture.
+   * @param panel_width, panel_height [pixels].
+   * @param write_panels      Writes the gnuplot commands between `set
+   *   multiplot` and `unset multiplot`.
+   * @return Empty, or a warning of one line.
+   */
+  std::string
+  draw_picture(const std::string                         &directory,
+               const std::string                         &name,
+               const std::string                         &title,
+               const unsigned int                         n_rows,
+               const unsigned int                         n_columns,
+               const unsigned int                         panel_width,
+               const unsigned int                         panel_height,
+               const std::function<void(std::ostream &)> &write_panels);
+} // namespace NPT
+
+#endif
