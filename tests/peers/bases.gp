@@ -12,10 +12,10 @@ e(b) = (strcol("basis") eq b && column("difference_n3") > 0 ? column("difference
 set multiplot layout 1,2
 set xlabel "free unknowns [-]"
 do for [i = 1:2] {
-  x = i == 1 ? "unknowns" : "cpu_seconds"
+  abscissa = i == 1 ? "unknowns" : "cpu_seconds"
   if (i == 2) { set xlabel "CPU time [s]" }
-  plot table using (column(x)):(e("NURBS")) with linespoints lw 2 pt 7 lc rgb "#1f77b4" title "NURBS, C1", \
-       table using (column(x)):(e("Bernstein")) with linespoints lw 2 pt 6 lc rgb "#d62728" title "Bernstein, C0", \
-       table using (column(x)):(e("Lagrange")) with linespoints lw 2 pt 2 lc rgb "#2ca02c" title "Lagrange (FE\\_Q)"
+  plot table using (column(abscissa)):(e("NURBS")) with linespoints lw 2 pt 7 lc rgb "#1f77b4" title "NURBS, C1", \
+       table using (column(abscissa)):(e("Bernstein")) with linespoints lw 2 pt 6 lc rgb "#d62728" title "Bernstein, C0", \
+       table using (column(abscissa)):(e("Lagrange")) with linespoints lw 2 pt 2 lc rgb "#2ca02c" title "Lagrange (FE\\_Q)"
 }
 unset multiplot
