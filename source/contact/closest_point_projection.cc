@@ -84,6 +84,23 @@ namespace NPT
 
 
 
+  RoundedEdge::RoundedEdge(const double R, const double rho, const double c)
+  {
+    // On the axis of the rounding the direction is lost; a body that deep
+    // inside is never loaded, it only must not divide by zero.
+    const double q =
+      std::max(std::sqrt(std::max(0., rho * rho + 2. * R * c + R * R)),
+               1e-8 * R);
+    gap                  = q - R;
+    by_distance          = rho / q;
+    by_height            = R / q;
+    by_distance_distance = 1. / q - rho * rho / (q * q * q);
+    by_distance_height   = -rho * R / (q * q * q);
+    by_height_height     = -R * R / (q * q * q);
+  }
+
+
+
   template <int dim>
   void
   project(const ContactSurface<dim>         &surface,
@@ -112,7 +129,7 @@ namespace NPT
     // geometry itself.
     static thread_local ClosestPoint<dim> trial;
     c.found       = false;
-    c.blended     = false;
+    c.edge_radius = 0.;
     c.on_boundary = false;
     evaluate_geometry(surface, positions, point, u, span, 2, c);
     double       distance2 = c.r.norm_square();
@@ -306,24 +323,20 @@ namespace NPT
         return;
       }
 
-    // Edge or corner. Beyond the boundary of the surface the point is outside
-    // of the body (open). Below the tangent plane that would make the gap of a
-    // penetrating point that slides over the edge jump from -d to +d; the
-    // blend (A7), -|r| cos(2 theta) with the angle theta of r against the
-    // inner normal, is C1 and joins the depth on one side and the distance on
-    // the other. At a C0 knot the mean of the adjacent normals tells inside
+    // Edge or corner. A sharp boundary would make the gap of a penetrating
+    // point that slides over it jump from -d to +d: contact sees it rounded,
+    // (A15), C1 where the surface ends. Without a radius the point is outside
+    // of the body. At a C0 knot the mean of the adjacent normals tells inside
     // from outside.
     double side = 1;
-    c.blended   = false;
     if (c.on_boundary)
       {
-        const double depth = n * c.r;
-        if (depth < 0)
+        if (surface.edge_radius() > 0.)
           {
-            c.blended        = true;
+            c.edge_radius    = surface.edge_radius();
             c.surface_normal = n;
             c.normal         = c.r / r;
-            c.gap            = r - 2 * depth * depth / r;
+            c.gap            = RoundedEdge(c.edge_radius, r, n * c.r).gap;
             return;
           }
       }

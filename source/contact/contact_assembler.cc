@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <tuple>
 
 namespace NPT
 {
   using dealii::Point;
+  using dealii::Tensor;
   using dealii::Vector;
 
   template <int dim>
@@ -27,6 +27,7 @@ namespace NPT
     , primaries_(primaries)
     , contact_(contact)
     , friction_law_{friction.coefficient, friction.tangential_penalty}
+    , by_closest_point_(friction.slip_measure == "closest point")
     , maximum_penetration_(maximum_penetration)
     , points_(secondary.surface().quadrature(contact.n_quadrature_points))
     , averaging_(contact.method == "mortar" ?
@@ -42,6 +43,10 @@ namespace NPT
                        1);
     history_.traction.assign(n_nodes, std::array<double, m>{});
     history_.multiplier.assign(n_nodes, 0.);
+    traction_multiplier_ = history_.traction;
+    multiplier_          = history_.multiplier;
+    slip_points_.resize(points_.size());
+    inverse_metric_.resize(n_nodes);
     history_.closest.resize(points_.size());
     starts_.resize(points_.size());
     closest_.resize(points_.size());
@@ -61,6 +66,7 @@ namespace NPT
     friction_on_      = on && friction_law_.coefficient > 0.;
     if (!friction_on_ || !was_on)
       history_.traction.assign(nodes_.size(), std::array<double, m>{});
+    traction_multiplier_ = history_.traction;
   }
 
 
@@ -125,6 +131,95 @@ namespace NPT
           throw ProjectionLost("contact point " + std::to_string(q) +
                                " finds no closest point on any surface");
       }
+    multiplier_          = history_.multiplier;
+    traction_multiplier_ = history_.traction;
+    if (friction_on_ && !by_closest_point_)
+      set_slip_references(positions);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::set_slip_references(
+    const std::vector<Point<dim>> &positions)
+  {
+    using Indices = SymmetricIndices<m>;
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      {
+        SlipPoint         &slip = slip_points_[q];
+        const unsigned int s    = starts_[q].surface;
+        slip.surface            = s;
+        slip.start              = {};
+        primaries_[s].surface().evaluate(starts_[q].u, 0, slip.shape);
+        update_slip_point(positions, q, slip);
+        slip.start = slip.sigma;
+        // Points out of reach do not slide on anything. Their part fades, so
+        // that no point enters or leaves the average at once.
+        slip.weight =
+          std::min(1., std::max(0., 2. - slip.d.norm() / maximum_penetration_));
+      }
+    for (unsigned int I = 0; I < nodes_.size(); ++I)
+      {
+        SurfaceMatrix<m> metric = {};
+        for (const auto &entry : averaging_.nodes()[I].entries)
+          for (int a = 0; a < m; ++a)
+            for (int b = 0; b < m; ++b)
+              metric[a][b] += entry.weight * (slip_points_[entry.point].tau[a] *
+                                              slip_points_[entry.point].tau[b]);
+        const auto inverse = invert_symmetric<m>(metric);
+        for (int a = 0; a < m; ++a)
+          for (int b = a; b < m; ++b)
+            inverse_metric_[I][Indices::second(a, b)] = inverse[a][b];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::update_slip_point(
+    const std::vector<Point<dim>> &positions,
+    const unsigned int             q,
+    SlipPoint                     &slip) const
+  {
+    const auto &shape   = points_[q].shape;
+    const auto &primary = primary_positions_[slip.surface];
+    slip.d              = 0;
+    slip.tau            = {};
+    for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+      {
+        const Point<dim> &x = positions[shape.lattice[l]];
+        slip.d += shape.value[l] * x;
+        for (int a = 0; a < m; ++a)
+          slip.tau[a] += shape.first[a][l] * x;
+      }
+    for (unsigned int l = 0; l < slip.shape.lattice.size(); ++l)
+      slip.d -= slip.shape.value[l] * primary[slip.shape.lattice[l]];
+    for (int a = 0; a < m; ++a)
+      slip.sigma[a] = slip.tau[a] * slip.d - slip.start[a];
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::slip_row(const unsigned int    q,
+                                  const int             a,
+                                  const PointFunctions &functions,
+                                  std::vector<double>  &row) const
+  {
+    const SlipPoint &slip  = slip_points_[q];
+    const auto      &shape = points_[q].shape;
+    row.assign(dim * functions.dofs.size(), 0.);
+    for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+      for (unsigned int i = 0; i < dim; ++i)
+        row[dim * l + i] += slip.weight * (shape.value[l] * slip.tau[a][i] +
+                                           shape.first[a][l] * slip.d[i]);
+    for (unsigned int l = 0; l < slip.shape.lattice.size(); ++l)
+      for (unsigned int i = 0; i < dim; ++i)
+        row[dim * functions.reference[l] + i] -=
+          slip.weight * slip.shape.value[l] * slip.tau[a][i];
   }
 
 
@@ -135,12 +230,13 @@ namespace NPT
                                       const unsigned int q,
                                       ClosestPoint<dim> &closest) const
   {
-    const unsigned int s = starts_[q].surface;
+    const unsigned int s                 = starts_[q].surface;
+    const bool         third_derivatives = friction_on_ && by_closest_point_;
     project(primaries_[s],
             primary_positions_[s],
             x,
             starts_[q].u,
-            friction_on_,
+            third_derivatives,
             closest);
     if (!closest.found)
       {
@@ -152,7 +248,7 @@ namespace NPT
                     primary_positions_[candidate.surface],
                     x,
                     candidate.u,
-                    friction_on_,
+                    third_derivatives,
                     closest);
             if (closest.found)
               {
@@ -182,7 +278,7 @@ namespace NPT
                     primary_positions_[next],
                     x,
                     u,
-                    friction_on_,
+                    third_derivatives,
                     other);
             if (other.found && other.r.norm() < closest.r.norm() * (1 - 1e-12))
               {
@@ -215,6 +311,8 @@ namespace NPT
         // Always from the start of the step: the answer must not depend on
         // the states tried before.
         find_closest(x, q, closest_[q]);
+        if (friction_on_ && !by_closest_point_)
+          update_slip_point(positions, q, slip_points_[q]);
       }
 
     // What do the laws answer?
@@ -231,7 +329,7 @@ namespace NPT
           state.gap +=
             entry.weight * (usable(entry.point) ? closest_[entry.point].gap :
                                                   maximum_penetration_);
-        const auto answer = normal_law(state.gap, history_.multiplier[I]);
+        const auto answer = normal_law(state.gap, multiplier_[I]);
         state.active      = answer.active;
         state.pressure    = answer.pressure;
         state.slope       = answer.slope;
@@ -239,7 +337,22 @@ namespace NPT
         if (!state.active)
           continue;
 
-        if (friction_on_)
+        if (friction_on_ && !by_closest_point_)
+          {
+            for (const auto &entry : node.entries)
+              for (int a = 0; a < m; ++a)
+                state.slip[a] += entry.weight *
+                                 slip_points_[entry.point].weight *
+                                 slip_points_[entry.point].sigma[a];
+            // The law in its dual form: sigma_a and t^a instead of xi^a and
+            // t_a, with the inverse metric in the place of the metric.
+            state.friction = friction_law_(traction_multiplier_[I],
+                                           state.slip,
+                                           inverse_metric_[I],
+                                           -state.pressure);
+            state.slipping = state.friction.slipping;
+          }
+        else if (friction_on_)
           {
             std::array<double, SymmetricIndices<m>::n_second> metric = {};
             for (const auto &entry : node.entries)
@@ -263,7 +376,7 @@ namespace NPT
                   state.slip[a] += entry.weight * (c.u[a] - reference.u[a]);
                 state.slip[0] += entry.weight * (to.shift() - from.shift());
               }
-            state.friction = friction_law_(history_.traction[I],
+            state.friction = friction_law_(traction_multiplier_[I],
                                            state.slip,
                                            metric,
                                            -state.pressure);
@@ -298,6 +411,7 @@ namespace NPT
     const unsigned int n_s = s.lattice.size(), n_m = c.shape.lattice.size();
 
     functions.dofs.resize(n_s + n_m);
+    functions.reference.clear();
     for (auto &values : functions.jet)
       values.assign(n_s + n_m, 0.);
     for (unsigned int l = 0; l < n_s; ++l)
@@ -315,6 +429,21 @@ namespace NPT
         for (const auto &second : c.shape.second)
           functions.jet[f++][n_s + l] = second[l];
       }
+
+    if (!friction_on_ || by_closest_point_)
+      return;
+    const SlipPoint &slip = slip_points_[q];
+    if (slip.surface == c.surface && slip.shape.lattice == c.shape.lattice)
+      for (unsigned int l = 0; l < n_m; ++l)
+        functions.reference.push_back(n_s + l);
+    else
+      for (const unsigned int l : slip.shape.lattice)
+        {
+          functions.reference.push_back(functions.dofs.size());
+          functions.dofs.push_back(primaries_[slip.surface].first_dof(l));
+          for (auto &values : functions.jet)
+            values.push_back(0.);
+        }
   }
 
 
@@ -325,6 +454,7 @@ namespace NPT
   {
     constexpr unsigned int n_jets = ContactKinematics<dim>::n_jets;
     PointFunctions         functions;
+    std::vector<double>    slip;
     for (unsigned int q = 0; q < points_.size(); ++q)
       {
         if (!point_loaded_[q])
@@ -333,13 +463,22 @@ namespace NPT
         auto                         row = kinematics.gap_variation();
         for (double &value : row)
           value *= point_pressure_[q];
-        if (friction_on_)
+        if (friction_on_ && by_closest_point_)
           for (int a = 0; a < m; ++a)
             for (unsigned int k = 0; k < row.size(); ++k)
               row[k] +=
                 point_traction_[q][a] * kinematics.parameter_variation(a)[k];
 
         point_functions(q, functions);
+        if (friction_on_ && !by_closest_point_)
+          for (int a = 0; a < m; ++a)
+            {
+              slip_row(q, a, functions, slip);
+              for (unsigned int A = 0; A < functions.dofs.size(); ++A)
+                for (unsigned int i = 0; i < dim; ++i)
+                  residual[functions.dofs[A] + i] +=
+                    point_traction_[q][a] * slip[dim * A + i];
+            }
         for (unsigned int A = 0; A < functions.dofs.size(); ++A)
           for (unsigned int f = 0; f < n_jets; ++f)
             if (functions.jet[f][A] != 0.)
@@ -355,13 +494,13 @@ namespace NPT
   void
   ContactAssembler<dim>::add_tangent(const AddMatrix &add) const
   {
-    using Kinematics              = ContactKinematics<dim>;
-    constexpr unsigned int n_jets = Kinematics::n_jets;
-    constexpr unsigned int n_rows = 1 + m + Kinematics::n_metric;
-    const unsigned int     n_used = friction_on_ ? n_rows : 1;
-    // Second variations meet J_ab only where a traction acts.
-    const unsigned int n_used_jets = friction_on_ ? n_jets : 1 + m;
-    const bool         mortar      = contact_.method == "mortar";
+    using Kinematics                  = ContactKinematics<dim>;
+    constexpr unsigned int n_jets     = Kinematics::n_jets;
+    constexpr unsigned int n_rows     = 1 + m + Kinematics::n_metric;
+    const bool             parameters = friction_on_ && by_closest_point_;
+    const bool             relative   = friction_on_ && !by_closest_point_;
+    const unsigned int     n_used = parameters ? n_rows : relative ? 1 + m : 1;
+    const bool             mortar = contact_.method == "mortar";
 
     // Variations at the loaded points, carried to the control points. Row 0
     // is the gap, then the parameters, then the metric.
@@ -374,14 +513,14 @@ namespace NPT
 
     // 1. Terms that belong to single points: pressure and traction times the
     // second variations. Points that share both knot spans share a block.
-    std::map<std::tuple<unsigned int, unsigned int, unsigned int>,
-             std::vector<unsigned int>>
-      groups;
+    std::map<std::array<unsigned int, 5>, std::vector<unsigned int>> groups;
     for (unsigned int q = 0; q < points_.size(); ++q)
       if (point_loaded_[q])
-        groups[{points_[q].shape.lattice[0],
-                closest_[q].surface,
-                closest_[q].shape.lattice[0]}]
+        groups[{{points_[q].shape.lattice[0],
+                 closest_[q].surface,
+                 closest_[q].shape.lattice[0],
+                 relative ? slip_points_[q].surface : 0,
+                 relative ? slip_points_[q].shape.lattice[0] : 0}}]
           .push_back(q);
 
     PointFunctions                                    functions;
@@ -408,8 +547,36 @@ namespace NPT
 
             M.fill(0.);
             kinematics.add_second_variation(point_pressure_[q],
-                                            point_traction_[q],
+                                            parameters ?
+                                              point_traction_[q] :
+                                              std::array<double, m>{},
                                             M);
+            if (relative)
+              {
+                // t^a D(delta sigma_a), with the same factor for each
+                // component: t^a (delta tau_a . D d + D tau_a . delta d).
+                const SlipPoint    &slip  = slip_points_[q];
+                const auto         &shape = points_[q].shape;
+                const unsigned int  n_s   = shape.lattice.size();
+                std::vector<double> turn(n_s, 0.), move(n_functions, 0.);
+                for (unsigned int A = 0; A < n_s; ++A)
+                  {
+                    for (int a = 0; a < m; ++a)
+                      turn[A] +=
+                        slip.weight * point_traction_[q][a] * shape.first[a][A];
+                    move[A] = shape.value[A];
+                  }
+                for (unsigned int l = 0; l < slip.shape.lattice.size(); ++l)
+                  move[functions.reference[l]] -= slip.shape.value[l];
+                for (unsigned int A = 0; A < n_s; ++A)
+                  for (unsigned int B = 0; B < n_functions; ++B)
+                    for (unsigned int i = 0; i < dim; ++i)
+                      {
+                        const double value = turn[A] * move[B];
+                        block[(A * dim + i) * n + B * dim + i] += value;
+                        block[(B * dim + i) * n + A * dim + i] += value;
+                      }
+              }
             const auto row_of = [&](const unsigned int r) -> const auto &
             {
               return r == 0 ? kinematics.gap_variation() :
@@ -422,6 +589,11 @@ namespace NPT
                 rows.dofs       = functions.dofs;
                 for (unsigned int r = 0; r < n_used; ++r)
                   {
+                    if (relative && r > 0)
+                      {
+                        slip_row(q, r - 1, functions, rows.rows[r]);
+                        continue;
+                      }
                     const auto &jets = row_of(r);
                     rows.rows[r].assign(n, 0.);
                     for (unsigned int f = 0; f < n_jets; ++f)
@@ -441,7 +613,34 @@ namespace NPT
                 for (unsigned int k = 0; k < g.size(); ++k)
                   for (unsigned int l = 0; l < g.size(); ++l)
                     M[k * g.size() + l] += W * state.slope * g[k] * g[l];
-                if (friction_on_)
+                if (relative)
+                  {
+                    std::vector<double> gap(n, 0.), right(n);
+                    for (unsigned int f = 0; f < n_jets; ++f)
+                      for (unsigned int A = 0; A < n_functions; ++A)
+                        if (functions.jet[f][A] != 0.)
+                          for (unsigned int i = 0; i < dim; ++i)
+                            gap[A * dim + i] +=
+                              functions.jet[f][A] * g[f * dim + i];
+                    std::array<std::vector<double>, m> slip;
+                    for (int a = 0; a < m; ++a)
+                      slip_row(q, a, functions, slip[a]);
+                    for (int a = 0; a < m; ++a)
+                      {
+                        for (unsigned int k = 0; k < n; ++k)
+                          {
+                            right[k] = -state.friction.by_pressure[a] *
+                                       state.slope * gap[k];
+                            for (int b = 0; b < m; ++b)
+                              right[k] +=
+                                state.friction.by_slip[a][b] * slip[b][k];
+                          }
+                        for (unsigned int k = 0; k < n; ++k)
+                          for (unsigned int l = 0; l < n; ++l)
+                            block[k * n + l] += W * slip[a][k] * right[l];
+                      }
+                  }
+                if (parameters)
                   for (int a = 0; a < m; ++a)
                     {
                       typename Kinematics::Row right;
@@ -464,7 +663,11 @@ namespace NPT
                     }
               }
 
-            // block += N^T M N with N the jet values of the functions.
+            // block += N^T M N with N the jet values of the functions. Second
+            // variations meet J_ab only where a traction acts on xi, and
+            // beside edges.
+            const unsigned int n_used_jets =
+              parameters || closest_[q].edge_radius > 0. ? n_jets : 1 + m;
             half.assign(Kinematics::n * n, 0.);
             for (unsigned int k = 0; k < dim * n_used_jets; ++k)
               for (unsigned int h = 0; h < n_used_jets; ++h)
@@ -557,9 +760,10 @@ namespace NPT
                                  average[0][k];
                   for (int b = 0; b < m; ++b)
                     value += state.friction.by_slip[a][b] * average[1 + b][k];
-                  for (unsigned int c = 0; c < Kinematics::n_metric; ++c)
-                    value +=
-                      state.friction.by_metric[a][c] * average[1 + m + c][k];
+                  if (parameters)
+                    for (unsigned int c = 0; c < Kinematics::n_metric; ++c)
+                      value +=
+                        state.friction.by_metric[a][c] * average[1 + m + c][k];
                   right[1 + a][k] = W * value;
                 }
             }
@@ -605,6 +809,11 @@ namespace NPT
               const auto &c = closest_[entry.point];
               for (const unsigned int l : c.shape.lattice)
                 first.push_back(primaries_[c.surface].first_dof(l));
+              if (!friction_on_ || by_closest_point_)
+                continue;
+              const SlipPoint &slip = slip_points_[entry.point];
+              for (const unsigned int l : slip.shape.lattice)
+                first.push_back(primaries_[slip.surface].first_dof(l));
             }
         std::sort(first.begin(), first.end());
         first.erase(std::unique(first.begin(), first.end()), first.end());
@@ -624,13 +833,126 @@ namespace NPT
   ContactAssembler<dim>::commit()
   {
     for (unsigned int I = 0; I < nodes_.size(); ++I)
-      history_.traction[I] = nodes_[I].friction.traction;
+      {
+        history_.traction[I] = nodes_[I].friction.traction;
+        if (contact_.augmented())
+          history_.multiplier[I] = nodes_[I].pressure;
+      }
     for (unsigned int q = 0; q < points_.size(); ++q)
       {
         history_.closest[q].known   = usable(q);
         history_.closest[q].surface = closest_[q].surface;
         history_.closest[q].u       = closest_[q].u;
       }
+  }
+
+
+
+  template <int dim>
+  typename ContactAssembler<dim>::Violation
+  ContactAssembler<dim>::violation() const
+  {
+    Violation result;
+    for (unsigned int I = 0; I < nodes_.size(); ++I)
+      {
+        const NodeState &state = nodes_[I];
+        if (multiplicity_[I] == 0 || (!state.active && multiplier_[I] == 0.))
+          continue;
+        result.gap = std::max(result.gap,
+                              std::abs(state.pressure - multiplier_[I]) /
+                                contact_.normal_penalty);
+        if (!friction_on_ || !state.active)
+          continue;
+        // |t - lambda|^2 = (t - lambda)_a a^{ab} (t - lambda)_b, where the
+        // dual form has the roles of both metrics exchanged.
+        SurfaceMatrix<m> metric = {};
+        for (const auto &entry : averaging_.nodes()[I].entries)
+          for (int a = 0; a < m; ++a)
+            for (int b = 0; b < m; ++b)
+              {
+                const auto &tangents = by_closest_point_ ?
+                                         closest_[entry.point].a :
+                                         slip_points_[entry.point].tau;
+                metric[a][b] += entry.weight * (tangents[a] * tangents[b]);
+              }
+        if (by_closest_point_)
+          metric = invert_symmetric<m>(metric);
+        double square = 0;
+        for (int a = 0; a < m; ++a)
+          for (int b = 0; b < m; ++b)
+            square +=
+              (state.friction.traction[a] - traction_multiplier_[I][a]) *
+              metric[a][b] *
+              (state.friction.traction[b] - traction_multiplier_[I][b]);
+        result.slip =
+          std::max(result.slip,
+                   std::sqrt(std::max(0., square)) / friction_law_.penalty);
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::augment()
+  {
+    for (unsigned int I = 0; I < nodes_.size(); ++I)
+      {
+        multiplier_[I]          = nodes_[I].pressure;
+        traction_multiplier_[I] = nodes_[I].friction.traction;
+      }
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  ContactAssembler<dim>::tangent_vector(const unsigned int           I,
+                                        const std::array<double, m> &v,
+                                        const bool covariant) const
+  {
+    std::array<Tensor<1, dim>, m> tangent;
+    for (const auto &entry : averaging_.nodes()[I].entries)
+      for (int a = 0; a < m; ++a)
+        tangent[a] +=
+          entry.weight * (by_closest_point_ ? closest_[entry.point].a[a] :
+                                              slip_points_[entry.point].tau[a]);
+    SurfaceMatrix<m> metric;
+    for (int a = 0; a < m; ++a)
+      for (int b = 0; b < m; ++b)
+        metric[a][b] = tangent[a] * tangent[b];
+    const auto     inverse = invert_symmetric<m>(metric);
+    Tensor<1, dim> result;
+    for (int a = 0; a < m; ++a)
+      for (int b = 0; b < m; ++b)
+        result += (covariant ? inverse[a][b] :
+                   a == b    ? 1. :
+                               0.) *
+                  v[b] * tangent[a];
+    return result;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  ContactAssembler<dim>::friction_traction(const unsigned int I) const
+  {
+    return friction_on_ ?
+             tangent_vector(I, nodes_[I].friction.traction, by_closest_point_) :
+             Tensor<1, dim>();
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  ContactAssembler<dim>::slip_increment(const unsigned int I) const
+  {
+    return friction_on_ ?
+             tangent_vector(I, nodes_[I].slip, !by_closest_point_) :
+             Tensor<1, dim>();
   }
 
 

@@ -104,17 +104,17 @@ namespace NPT
 
     gap_.fill(0.);
     add_dot(gap_, 0, c.normal, 1.);
-    blend_traction_.fill(0.);
+    edge_traction_.fill(0.);
     distance_slope_ = 1.;
     depth_slope_    = 0.;
-    if (c.blended)
+    if (c.edge_radius > 0.)
       {
-        // g = rho - 2 c^2 / rho with rho = |r|, c = n . r, and
+        // g is a function of rho = |r| and c = n . r, (A15), and
         // delta c = n . J_0 - (r . a^a) n . delta-hat a_a.
         const Tensor<1, dim> &normal = c.surface_normal;
-        const double          rho = c.r.norm(), depth = normal * c.r;
-        distance_slope_ = 1. + 2. * depth * depth / (rho * rho);
-        depth_slope_    = -4. * depth / rho;
+        const RoundedEdge     edge(c.edge_radius, c.r.norm(), normal * c.r);
+        distance_slope_ = edge.by_distance;
+        depth_slope_    = edge.by_height;
 
         SurfaceMatrix<m> metric;
         for (int a = 0; a < m; ++a)
@@ -142,8 +142,8 @@ namespace NPT
           }
         for (int a = 0; a < m; ++a)
           for (int b = 0; b < m; ++b)
-            blend_traction_[a] -= depth_slope_ * rho_raised_[b] *
-                                  (normal * c.x_second[Indices::second(a, b)]);
+            edge_traction_[a] -= depth_slope_ * rho_raised_[b] *
+                                 (normal * c.x_second[Indices::second(a, b)]);
         rho_ = gap_;
         for (unsigned int k = 0; k < n; ++k)
           gap_[k] = distance_slope_ * rho_[k] + depth_slope_ * depth_[k];
@@ -180,20 +180,20 @@ namespace NPT
         tau[a] = 0;
         for (int b = 0; b < m; ++b)
           tau[a] +=
-            H_inverse_[a][b] * (traction[b] + pressure * blend_traction_[b]);
+            H_inverse_[a][b] * (traction[b] + pressure * edge_traction_[b]);
         any_traction = any_traction || tau[a] != 0.;
       }
 
     // Both D(delta g) and S_a contain, with v = n and v = a_a,
     //   - v . [ J_c Dxi^c + DJ_c dxi^c + x_,bc dxi^b Dxi^c ],
     // so the vectors are added up first.
-    // A blended gap is a function of distance and depth, each with a second
-    // variation of its own.
+    // Beside a rounded edge the gap is a function of distance and height, each
+    // with a second variation of its own.
     Tensor<1, dim> v = pressure * distance_slope_ * c_.normal;
-    if (c_.blended)
+    if (c_.edge_radius > 0.)
       v += pressure * depth_slope_ * c_.surface_normal;
     const double distance_pressure = pressure * distance_slope_;
-    const double distance          = c_.blended ? c_.r.norm() : c_.gap;
+    const double distance          = c_.edge_radius > 0. ? c_.r.norm() : c_.gap;
     for (int a = 0; a < m; ++a)
       v += tau[a] * c_.a[a];
     for (int b = 0; b < m; ++b)
@@ -282,17 +282,20 @@ namespace NPT
               }
           }
 
-        if (c_.blended)
+        if (c_.edge_radius > 0.)
           {
-            const double depth = c_.surface_normal * c_.r;
-            const double r2    = distance * distance;
+            const double      depth = c_.surface_normal * c_.r;
+            const RoundedEdge edge(c_.edge_radius, distance, depth);
             // Products of the first variations.
             add_symmetric(M,
                           rho_,
                           rho_,
-                          -2. * pressure * depth * depth / (r2 * distance));
-            add_symmetric(M, rho_, depth_, 4. * pressure * depth / r2);
-            add_symmetric(M, depth_, depth_, -2. * pressure / distance);
+                          0.5 * pressure * edge.by_distance_distance);
+            add_symmetric(M, rho_, depth_, pressure * edge.by_distance_height);
+            add_symmetric(M,
+                          depth_,
+                          depth_,
+                          0.5 * pressure * edge.by_height_height);
             // D(delta c) beyond n . D(delta r): the turning normal. With
             // rho^b = r . a^b and delta n = - w^b a_b,
             //   r . D(delta n) = - c w^b w_b + w^d (rho^b a_d . delta-hat a_b)

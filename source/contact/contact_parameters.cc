@@ -42,6 +42,39 @@ namespace NPT
         "A closest point that lies deeper than this fraction of the bundle "
         "thickness inside the primary body is taken for its far side and "
         "rejected [-].");
+      prm.declare_entry(
+        "Edge radius",
+        "0.1",
+        Patterns::Double(0., 1.),
+        "Rounding of the edges of the contact surfaces as a fraction of the "
+        "bundle thickness, (A15) of doc/theory.md [-]: a contact point that "
+        "slides over the edge of a bundle loses its pressure over about this "
+        "length. 0: sharp, pressure is lost at once, and Newton's method may "
+        "fail there. The default rounds the blunt edge of the default section "
+        "to a half circle.");
+      prm.declare_entry(
+        "Enforcement",
+        "penalty",
+        Patterns::Selection("penalty|augmented Lagrangian"),
+        "penalty: pressure = penalty times penetration, as in the paper. "
+        "augmented Lagrangian: each load step is repeated with multipliers "
+        "until penetration and drift while sticking are below the tolerances "
+        "that follow, at any moderate penalty.");
+      prm.declare_entry("Penetration tolerance",
+                        "1e-4",
+                        Patterns::Double(std::numeric_limits<double>::min()),
+                        "Augmented Lagrangian: largest gap, in absolute value, "
+                        "that is left at a closed contact node [mm].");
+      prm.declare_entry("Stick tolerance",
+                        "1e-4",
+                        Patterns::Double(std::numeric_limits<double>::min()),
+                        "Augmented Lagrangian: largest change of the elastic "
+                        "part of the slip in the last repetition [mm].");
+      prm.declare_entry("Maximum augmentations",
+                        "50",
+                        Patterns::Integer(1, 1000),
+                        "Repetitions of a load step after which it counts as "
+                        "failed [-].");
     }
     prm.leave_subsection();
   }
@@ -52,10 +85,15 @@ namespace NPT
   ContactParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Contact");
-    method              = prm.get("Method");
-    normal_penalty      = prm.get_double("Normal penalty");
-    n_quadrature_points = prm.get_integer("Quadrature points");
-    maximum_penetration = prm.get_double("Maximum penetration");
+    method                = prm.get("Method");
+    normal_penalty        = prm.get_double("Normal penalty");
+    n_quadrature_points   = prm.get_integer("Quadrature points");
+    maximum_penetration   = prm.get_double("Maximum penetration");
+    edge_radius           = prm.get_double("Edge radius");
+    enforcement           = prm.get("Enforcement");
+    penetration_tolerance = prm.get_double("Penetration tolerance");
+    stick_tolerance       = prm.get_double("Stick tolerance");
+    max_augmentations     = prm.get_integer("Maximum augmentations");
     prm.leave_subsection();
   }
 
@@ -77,6 +115,15 @@ namespace NPT
         Patterns::Double(std::numeric_limits<double>::min()),
         "Penalty epsilon_T of Eq. (24) [N/mm^3]: traction per elastic slip "
         "while sticking.");
+      prm.declare_entry(
+        "Slip measure",
+        "relative displacement",
+        Patterns::Selection("relative displacement|closest point"),
+        "relative displacement: slip of a point against the material point of "
+        "the other surface that it touched when the load step began, (A16); "
+        "smooth at edges, kinks and seams. closest point: increments of the "
+        "closest point's parameters, Eqs. (20), (24) of the paper; both agree "
+        "as the load steps become small.");
     }
     prm.leave_subsection();
   }
@@ -89,6 +136,7 @@ namespace NPT
     prm.enter_subsection("Friction");
     coefficient        = prm.get_double("Friction coefficient");
     tangential_penalty = prm.get_double("Tangential penalty");
+    slip_measure       = prm.get("Slip measure");
     prm.leave_subsection();
   }
 } // namespace NPT

@@ -149,7 +149,6 @@ namespace NPT
     // the same ones for mortar, weighted means of the Gauss points for KTS.
     constexpr unsigned int           n_values = 7;
     const auto                      &nodes    = contact.nodes();
-    const auto                      &points   = contact.closest_points();
     std::vector<std::vector<double>> at_node(nodes.size(),
                                              std::vector<double>(n_values, 0.));
     for (unsigned int I = 0; I < nodes.size(); ++I)
@@ -159,21 +158,11 @@ namespace NPT
         value[1]    = -nodes[I].pressure;
         if (!nodes[I].active)
           continue;
-        value[6] = nodes[I].slipping ? 2. : 1.;
-        // t = t_a a^a and slip = xi^a a_a with the averaged tangents.
-        Tensor<1, 3> a[2];
-        for (const auto &entry : contact.averaging().nodes()[I].entries)
-          for (unsigned int k = 0; k < 2; ++k)
-            a[k] += entry.weight * points[entry.point].a[k];
-        const double a11 = a[0] * a[0], a12 = a[0] * a[1], a22 = a[1] * a[1];
-        const double det            = a11 * a22 - a12 * a12;
-        const auto  &t              = nodes[I].friction.traction;
-        const Tensor<1, 3> traction = ((a22 * t[0] - a12 * t[1]) * a[0] +
-                                       (a11 * t[1] - a12 * t[0]) * a[1]) /
-                                      det;
+        value[6]            = nodes[I].slipping ? 2. : 1.;
+        const auto traction = contact.friction_traction(I);
         for (unsigned int i = 0; i < 3; ++i)
           value[2 + i] = traction[i];
-        value[5] = (nodes[I].slip[0] * a[0] + nodes[I].slip[1] * a[1]).norm();
+        value[5] = contact.slip_increment(I).norm();
       }
 
     const auto                      &surface = contact.secondary().surface();

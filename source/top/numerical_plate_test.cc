@@ -171,6 +171,8 @@ namespace NPT
                                    ghost.reference,
                                    first_dof,
                                    mirrored);
+            primaries.back().set_edge_radius(parameters_.contact.edge_radius *
+                                             parameters_.cell.bundle_thickness);
             ghosts_.push_back(ghost);
           }
         // Pieces of one strand continue each other.
@@ -444,6 +446,9 @@ namespace NPT
         problem.solve           = solve;
         problem.force_scale     = [&]() { return force_scale_; };
         report_                 = solve_newton(parameters_.newton, problem, x);
+        final_residual_         = report_.residual_norms.back();
+        if (parameters_.contact.augmented())
+          augment(problem, x);
 
         // Newton's last residual belongs to x; everything derived from it
         // (contact state, reactions) is that of the trial state.
@@ -453,6 +458,46 @@ namespace NPT
       {
         failure_reason_ = failure.what();
         return false;
+      }
+  }
+
+
+
+  /*
+   * Augmented Lagrangian: repeat Newton's method with the tractions of the
+   * last solution as multipliers until these change no more, (A17).
+   */
+  void
+  NumericalPlateTest::augment(const NewtonProblem &problem, Vector<double> &x)
+  {
+    const ContactParameters &contact = parameters_.contact;
+    for (unsigned int k = 0;; ++k)
+      {
+        double gap = 0, slip = 0;
+        for (const auto &assembler : contacts_)
+          {
+            const auto violation = assembler->violation();
+            gap                  = std::max(gap, violation.gap);
+            slip                 = std::max(slip, violation.slip);
+          }
+        if (gap <= contact.penetration_tolerance &&
+            slip <= contact.stick_tolerance)
+          return;
+        if (k == contact.max_augmentations)
+          {
+            std::ostringstream detail;
+            detail << "gap " << gap << " mm, stick drift " << slip
+                   << " mm after " << k
+                   << " augmentations. A larger penalty takes fewer of them.";
+            throw NewtonNotConverged("augmentation limit", detail.str());
+          }
+        for (const auto &assembler : contacts_)
+          assembler->augment();
+        const NewtonReport report =
+          solve_newton(parameters_.newton, problem, x);
+        // The order is that of the first solution, the effort that of all.
+        report_.iterations += report.iterations;
+        final_residual_ = report.residual_norms.back();
       }
   }
 
@@ -545,7 +590,7 @@ namespace NPT
     curve_.push_back(row);
     if (curve_writer_)
       curve_writer_->write(row);
-    log_.step(row, report_.residual_norms.back());
+    log_.step(row, final_residual_);
   }
 
 

@@ -188,21 +188,31 @@ TEST_CASE("Variations are derivatives beside the edges and corners of a "
           "surface",
           "[contact]")
 {
-  const Face<2> line(wavy_slab<2>(), 1, 1);
-  check_variations<2>(line, Point<2>(1.2, 0.4), {{0.9}}, {{false}});
-  const Face<3> face(wavy_slab<3>(3), 2, 1);
-  check_variations<3>(face,
-                      Point<3>(1.4, 0.1, 0.3),
-                      {{0.9, 0.}},
-                      {{false, true}});
-  check_variations<3>(face,
-                      Point<3>(0.1, -1.3, -0.4),
-                      {{0., -0.9}},
-                      {{true, false}});
-  check_variations<3>(face,
-                      Point<3>(1.4, -1.3, 0.3),
-                      {{0.9, -0.9}},
-                      {{false, false}});
+  Face<2> line(wavy_slab<2>(), 1, 1);
+  Face<3> face(wavy_slab<3>(3), 2, 1);
+  // Sharp and rounded, over and under the tangent plane.
+  for (const double radius : {0., 0.3})
+    {
+      line.surface.set_edge_radius(radius);
+      face.surface.set_edge_radius(radius);
+      for (const double height : {0.4, -0.3})
+        {
+          INFO("radius " << radius << ", height " << height);
+          check_variations<2>(line, Point<2>(1.2, height), {{0.9}}, {{false}});
+          check_variations<3>(face,
+                              Point<3>(1.4, 0.1, height),
+                              {{0.9, 0.}},
+                              {{false, true}});
+          check_variations<3>(face,
+                              Point<3>(0.1, -1.3, height),
+                              {{0., -0.9}},
+                              {{true, false}});
+          check_variations<3>(face,
+                              Point<3>(1.4, -1.3, height),
+                              {{0.9, -0.9}},
+                              {{false, false}});
+        }
+    }
 }
 
 

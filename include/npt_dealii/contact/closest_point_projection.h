@@ -32,10 +32,10 @@ namespace NPT
     double                      gap         = 0;     ///< (9) [mm], > 0 open
     dealii::Tensor<1, dim>      normal;              ///< unit; gap = normal . r
     dealii::Tensor<1, dim>      r;                   ///< x^s - x^m
-    /// The point lies beyond the boundary of the surface and below its tangent
-    /// plane: the gap is the blend of Eq. (A7), `normal` is r/|r|.
-    bool                   blended = false;
-    dealii::Tensor<1, dim> surface_normal;   ///< of the face, if blended
+    /// If positive, the closest point is on a rounded boundary of this radius
+    /// [mm]: the gap is that of Eq. (A15), and `normal` is r/|r|.
+    double                 edge_radius = 0.;
+    dealii::Tensor<1, dim> surface_normal;   ///< of the face, on an edge
     std::array<dealii::Tensor<1, dim>, m> a; ///< tangents a_alpha
     std::array<dealii::Tensor<1, dim>, SymmetricIndices<m>::n_second> x_second;
     std::array<dealii::Tensor<1, dim>, SymmetricIndices<m>::n_third>  x_third;
@@ -49,6 +49,24 @@ namespace NPT
     bool                        known   = false;
     unsigned int                surface = 0;
     std::array<double, dim - 1> u;
+  };
+
+  /**
+   * Gap beside the rounded boundary of a surface, (A15) of doc/theory.md, as a
+   * function of the distance rho = |r| from the boundary and the height
+   * c = n . r over the tangent plane there,
+   *
+   * @f[ g = q - R, \qquad q = \sqrt{\rho^2 + 2 R c + R^2} = |r + R n| . @f]
+   */
+  struct RoundedEdge
+  {
+    double gap;
+    double by_distance, by_height; ///< first derivatives
+    double by_distance_distance, by_distance_height, by_height_height;
+
+    RoundedEdge(const double radius,
+                const double distance,
+                const double height);
   };
 
   /**

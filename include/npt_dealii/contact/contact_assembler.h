@@ -28,6 +28,21 @@ namespace NPT
    * tangent() say where the traction acts. The assembled virtual work is
    * delta W_int + C_c = 0 ((15) misprints the sign).
    *
+   * Slip is measured in one of two ways. "closest point": as in the paper by
+   * the increments of xi-bar. There the slip across an edge, a kink or a seam
+   * vanishes the moment the closest point is held there, and the residual
+   * jumps. "relative displacement" (default), (A16) of doc/theory.md: with the
+   * material point xi_n of the primary surface that was closest to the
+   * accepted state, and the tangents tau_a = x^s_{,a} of the secondary surface,
+   *
+   * @f[ \sigma_a = \tau_a \cdot (x^s - x^m(\xi_n))
+   *       - [\tau_a \cdot (x^s - x^m(\xi_n))]_n , \qquad
+   *     C_t = \sum_I W_I \, t^{a,I} \, \delta\sigma_a^I . @f]
+   *
+   * It is a bilinear function of the displacement whatever the closest point
+   * does, invariant under rigid motion (so that action equals reaction, also
+   * in moment), and does not depend on the chart of the primary surface.
+   *
    * Unknowns are numbered by the ContactSurface objects; vectors are full
    * (unconstrained) vectors.
    */
@@ -89,6 +104,20 @@ namespace NPT
     void
     commit();
 
+    /// What the multipliers of the augmented Lagrangian still leave open [mm].
+    struct Violation
+    {
+      double gap  = 0; ///< largest |p - lambda| / epsilon_N
+      double slip = 0; ///< largest |t - lambda_t| / epsilon_T
+    };
+    /// How far the evaluated state is from its multipliers.
+    Violation
+    violation() const;
+    /// Uzawa's update: the evaluated tractions become the multipliers of the
+    /// present load step.
+    void
+    augment();
+
     /// Figures of the evaluated state.
     struct Summary
     {
@@ -120,6 +149,12 @@ namespace NPT
     {
       return nodes_;
     }
+    /// Friction traction of node I on the secondary side, as a vector [MPa].
+    dealii::Tensor<1, dim>
+    friction_traction(const unsigned int I) const;
+    /// Slip increment of node I as a vector [mm].
+    dealii::Tensor<1, dim>
+    slip_increment(const unsigned int I) const;
     const Averaging &
     averaging() const
     {
@@ -159,15 +194,46 @@ namespace NPT
     }
 
   private:
-    // Unknowns and jet values at one Gauss point.
+    // Unknowns and jet values at one Gauss point: functions of the secondary
+    // surface, of the primary one at the closest point, and, where these are
+    // others, at the reference point of slip.
     struct PointFunctions
     {
-      std::vector<unsigned int> dofs; // first unknown of each function
+      std::vector<unsigned int> dofs;      // first unknown of each function
+      std::vector<unsigned int> reference; // functions of the reference point
       // jet[f] holds the value of functional f for each function.
       std::array<std::vector<double>, ContactKinematics<dim>::n_jets> jet;
     };
+    // Slip of a Gauss point by relative displacement (A16).
+    struct SlipPoint
+    {
+      double          weight  = 0; // 1 near the primary surface, 0 far from it
+      unsigned int    surface = 0;
+      SurfaceShape<m> shape;          // at xi_n
+      std::array<double, m>  start{}; // tau_a . (x^s - x^m(xi_n)) accepted
+      dealii::Tensor<1, dim> d;       // x^s - x^m(xi_n)
+      std::array<dealii::Tensor<1, dim>, m> tau; // x^s_,a
+      std::array<double, m>                 sigma{};
+    };
     void
     point_functions(const unsigned int q, PointFunctions &functions) const;
+    void
+    set_slip_references(const std::vector<dealii::Point<dim>> &positions);
+    void
+    update_slip_point(const std::vector<dealii::Point<dim>> &positions,
+                      const unsigned int                     q,
+                      SlipPoint                             &slip) const;
+    // Vector of co- or contravariant components at a node.
+    dealii::Tensor<1, dim>
+    tangent_vector(const unsigned int           I,
+                   const std::array<double, m> &v,
+                   const bool                   covariant) const;
+    // delta sigma_a on the functions of a point.
+    void
+    slip_row(const unsigned int    q,
+             const int             a,
+             const PointFunctions &functions,
+             std::vector<double>  &row) const;
     bool
     usable(const unsigned int q) const;
     void
@@ -179,14 +245,22 @@ namespace NPT
     std::vector<ContactSurface<dim>>                       primaries_;
     ContactParameters                                      contact_;
     FrictionLaw<m>                                         friction_law_;
+    const bool                                             by_closest_point_;
     bool                                                   friction_on_ = false;
     double                                                 maximum_penetration_;
     std::vector<typename IGASurface<dim>::QuadraturePoint> points_;
     Averaging                                              averaging_;
     std::vector<unsigned int>                              multiplicity_;
 
-    ContactHistory<dim>                          history_;
-    std::vector<ProjectionStart<dim>>            starts_;
+    ContactHistory<dim>               history_;
+    std::vector<ProjectionStart<dim>> starts_;
+    std::vector<SlipPoint>            slip_points_;
+    // Metric of the secondary surface at the nodes, accepted state, inverted.
+    std::vector<std::array<double, SymmetricIndices<m>::n_second>>
+      inverse_metric_;
+    // Multipliers of the present load step.
+    std::vector<double>                          multiplier_;
+    std::vector<std::array<double, m>>           traction_multiplier_;
     std::vector<std::vector<dealii::Point<dim>>> primary_positions_;
     std::vector<ClosestPoint<dim>>               closest_;
     std::vector<NodeState>                       nodes_;

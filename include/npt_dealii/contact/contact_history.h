@@ -15,7 +15,9 @@ namespace NPT
   template <int dim>
   struct ContactHistory
   {
-    /// Friction traction t_{a,n} of every contact node.
+    /// Friction traction of every contact node: t^a_n on the tangents of the
+    /// secondary surface or t_{a,n} on those of the primary one, by the measure
+    /// of slip.
     std::vector<std::array<double, dim - 1>> traction;
     /// Multiplier of the augmented Lagrangian of every node [MPa].
     std::vector<double> multiplier;

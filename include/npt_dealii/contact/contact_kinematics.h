@@ -80,12 +80,12 @@ namespace NPT
     std::array<std::array<Row, dim>, m> tangent_;  // delta-hat a_a
     std::array<Row, dim>                distance_; // delta r, total
 
-    // Blended gaps: derivatives by distance |r| and depth n . r, variations of
-    // both, of the normal, and the inverse metric.
+    // Rounded edges: derivatives by distance |r| and height n . r, variations
+    // of both, of the normal, and the inverse metric.
     double                distance_slope_, depth_slope_;
     Row                   rho_, depth_;
     std::array<Row, m>    turn_;
-    std::array<double, m> rho_raised_, blend_traction_;
+    std::array<double, m> rho_raised_, edge_traction_;
     SurfaceMatrix<m>      inverse_metric_;
   };
 } // namespace NPT

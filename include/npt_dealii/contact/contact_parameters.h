@@ -17,6 +17,18 @@ namespace NPT
     double       normal_penalty      = 100.;     ///< epsilon_N [N/mm^3]
     unsigned int n_quadrature_points = 0;        ///< 0: degree + 1
     double       maximum_penetration = 0.5;      ///< fraction of thickness
+    double       edge_radius         = 0.1;      ///< fraction of thickness
+    /// "penalty" or "augmented Lagrangian"
+    std::string  enforcement           = "penalty";
+    double       penetration_tolerance = 1e-4; ///< augmented Lagrangian [mm]
+    double       stick_tolerance       = 1e-4; ///< augmented Lagrangian [mm]
+    unsigned int max_augmentations     = 50;
+
+    bool
+    augmented() const
+    {
+      return enforcement == "augmented Lagrangian";
+    }
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);
@@ -29,6 +41,8 @@ namespace NPT
   {
     double coefficient        = 0.3;  ///< mu [-]
     double tangential_penalty = 100.; ///< epsilon_T [N/mm^3]
+    /// "relative displacement" or "closest point", see SlipMeasure
+    std::string slip_measure = "relative displacement";
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);

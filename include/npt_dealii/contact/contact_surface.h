@@ -98,6 +98,22 @@ namespace NPT
       return neighbors_[side];
     }
 
+    /**
+     * Round the boundary of the surface for contact, (A15) of doc/theory.md.
+     *
+     * @param radius [mm]; 0: sharp.
+     */
+    void
+    set_edge_radius(const double radius)
+    {
+      edge_radius_ = radius;
+    }
+    double
+    edge_radius() const
+    {
+      return edge_radius_;
+    }
+
     const IGASurface<dim> &
     surface() const
     {
@@ -164,6 +180,7 @@ namespace NPT
 
     const IGASurface<dim>                                *surface_;
     double                                                orientation_;
+    double                                                edge_radius_ = 0.;
     std::vector<dealii::Point<dim>>                       reference_;
     std::vector<unsigned int>                             first_dof_;
     std::array<std::vector<std::pair<double, double>>, m> smooth_pieces_;

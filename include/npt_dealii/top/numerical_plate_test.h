@@ -90,6 +90,8 @@ namespace NPT
     bool
     solve_load_step(const LoadStage &stage, const double load_factor);
     void
+    augment(const NewtonProblem &problem, dealii::Vector<double> &x);
+    void
     commit_history(const LoadStage &stage, const double load_factor);
 
     /// Residual of the full system at u: bundles, contact.
@@ -149,6 +151,7 @@ namespace NPT
     // The trial state of the last successful solve_load_step().
     dealii::Vector<double> u_trial_, residual_;
     NewtonReport           report_;
+    double                 final_residual_ = 0;
 
     std::vector<CurveRow>                       curve_;
     std::unique_ptr<CurveWriter>                curve_writer_;
