@@ -6,6 +6,8 @@
 #include <npt_dealii/top/deformable_bodies.h>
 
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace NPT
 {
@@ -203,6 +205,54 @@ namespace NPT
             visit(point);
           }
       }
+  }
+
+
+
+  DeformableBodies::Ellipticity
+  DeformableBodies::lowest_acoustic_eigenvalue(const Vector<double> &u) const
+  {
+    Ellipticity  result;
+    unsigned int cell = 0, q = 0;
+    result.lowest.value = std::numeric_limits<double>::max();
+    for_each_point(u, [&](const MaterialPoint &point) {
+      const unsigned int patch = space_->cells()[point.cell].patch;
+      const auto         lowest =
+        NPT::lowest_acoustic_eigenvalue<3>(*laws_[patch], point.F);
+      if (lowest.value < result.lowest.value)
+        {
+          result.lowest = lowest;
+          result.patch  = patch;
+          cell          = point.cell;
+          q             = point.q;
+        }
+    });
+    const auto           A         = space_->control_points_of_cell(cell);
+    const CellGradients &gradients = gradients_[cell];
+    for (unsigned int a = 0; a < gradients.n_functions; ++a)
+      result.position += gradients.values[q * gradients.n_functions + a] *
+                         space_->control_points()[A[a]];
+    return result;
+  }
+
+
+
+  std::string
+  DeformableBodies::describe(const Ellipticity &e) const
+  {
+    std::ostringstream text;
+    text.precision(3);
+    const auto write = [&text](const auto &v) {
+      text << '(' << v[0] << ", " << v[1] << ", " << v[2] << ')';
+    };
+    text << names_[e.patch] << " at ";
+    write(e.position);
+    text << " mm, lowest acoustic eigenvalue " << e.lowest.value
+         << " MPa for the plane with normal ";
+    write(e.lowest.normal);
+    text << " and motion along ";
+    write(e.lowest.polarization);
+    return text.str();
   }
 
 

@@ -83,7 +83,14 @@ namespace NPT
         if (!solve_load_step(stage, trial)) // Newton: bundles + contact
           {
             ++cuts_;
-            control.reject(failure_reason_); // throws if the step is too small
+            try
+              {
+                control.reject(failure_reason_); // the step may be too small
+              }
+            catch (const StageFailed &failure)
+              {
+                give_up(failure);
+              }
             log_.cut(stage.name, trial, failure_reason_, control.step());
             continue;
           }
@@ -95,6 +102,31 @@ namespace NPT
         if (parameters_.output.fields == "steps" && !control.finished())
           output_fields(stage.name);
       }
+  }
+
+
+
+  /*
+   * Whatever ended the stage: a material that lost its ellipticity before is
+   * the likelier cause, so that is looked up and said.
+   */
+  void
+  NumericalPlateTest::give_up(const StageFailed &failure)
+  {
+    const auto  lowest  = bodies_->lowest_acoustic_eigenvalue(u_);
+    std::string message = failure.what();
+    if (failure.reason() == "loss of ellipticity")
+      throw failure;
+    message += lowest.lowest.value > 0. ?
+                 " The material is elliptic at the last accepted step (" :
+                 " The material has lost its ellipticity (";
+    message += bodies_->describe(lowest) + ").";
+    throw StageFailed(message,
+                      lowest.lowest.value > 0. ? failure.reason() :
+                                                 "loss of ellipticity",
+                      failure.stage(),
+                      failure.load_factor(),
+                      failure.n_cuts());
   }
 
 
@@ -449,6 +481,13 @@ namespace NPT
         final_residual_         = report_.residual_norms.back();
         if (parameters_.contact.augmented())
           augment(problem, x);
+        if (parameters_.stability.check_ellipticity)
+          {
+            TimerOutput::Scope timer(timer_, "Ellipticity");
+            const auto lowest = bodies_->lowest_acoustic_eigenvalue(u_trial_);
+            if (!(lowest.lowest.value > 0.))
+              throw EllipticityLost(bodies_->describe(lowest));
+          }
 
         // Newton's last residual belongs to x; everything derived from it
         // (contact state, reactions) is that of the trial state.

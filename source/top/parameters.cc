@@ -50,6 +50,38 @@ namespace NPT
 
 
 
+  void
+  StabilityParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii;
+    prm.enter_subsection("Stability");
+    {
+      prm.declare_entry(
+        "Check ellipticity",
+        "false",
+        Patterns::Bool(),
+        "Search all quadrature points for the lowest eigenvalue of the "
+        "acoustic tensor after each load step. A step at which it is not "
+        "positive is refused and cut, so that the run ends at the loss of "
+        "ellipticity and names bundle, place and direction. Takes two to four "
+        "times the CPU time of a run without it. If a stage fails for another "
+        "reason, its last accepted state is checked in any case.");
+    }
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  StabilityParameters::parse_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Stability");
+    check_ellipticity = prm.get_bool("Check ellipticity");
+    prm.leave_subsection();
+  }
+
+
+
   namespace
   {
     void
@@ -73,6 +105,7 @@ namespace NPT
       LoadProgramme::declare_parameters(prm, stages);
       NewtonParameters::declare_parameters(prm);
       LinearSolverParameters::declare_parameters(prm);
+      StabilityParameters::declare_parameters(prm);
       OutputParameters::declare_parameters(prm);
     }
 
@@ -133,6 +166,7 @@ namespace NPT
     parameters.load_programme.parse_parameters(prm);
     parameters.newton.parse_parameters(prm);
     parameters.linear_solver.parse_parameters(prm);
+    parameters.stability.parse_parameters(prm);
     parameters.output.parse_parameters(prm);
     if (parameters.cell.type == "automatic")
       {

@@ -6,6 +6,7 @@
 #define npt_dealii_top_deformable_bodies_h
 
 #include <npt_dealii/iga/iga_space.h>
+#include <npt_dealii/material/ellipticity.h>
 #include <npt_dealii/material/hyperelastic_law.h>
 #include <npt_dealii/material/solid_kernel.h>
 #include <npt_dealii/solver/condensed_system.h>
@@ -162,6 +163,22 @@ namespace NPT
      */
     std::vector<double>
     integrals_of_functions(const bool by_multiplicity) const;
+
+    /// The point of the bodies that is nearest to losing ellipticity.
+    struct Ellipticity
+    {
+      LowestAcousticEigenvalue<3> lowest; ///< elliptic if its value > 0
+      unsigned int                patch = 0;
+      dealii::Point<3>            position; ///< reference configuration [mm]
+    };
+    /// Search all quadrature points at the state u for the lowest eigenvalue
+    /// of the acoustic tensor: 0.1 ms per point, a few seconds per state of the
+    /// default cell.
+    Ellipticity
+    lowest_acoustic_eigenvalue(const dealii::Vector<double> &u) const;
+    /// "bundle 2 at (0.1, 0.2, 0.3): ..." for messages.
+    std::string
+    describe(const Ellipticity &ellipticity) const;
 
   private:
     [[noreturn]] void

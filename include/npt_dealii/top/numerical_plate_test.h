@@ -5,6 +5,7 @@
 #ifndef npt_dealii_top_numerical_plate_test_h
 #define npt_dealii_top_numerical_plate_test_h
 
+#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/cell/fabric_cell.h>
 #include <npt_dealii/contact/contact_assembler.h>
 #include <npt_dealii/homogenization/macro_unknowns.h>
@@ -81,6 +82,9 @@ namespace NPT
     setup_system();
     void
     run_stage(const LoadStage &stage);
+    /// Throw the failure of a stage again, with the state of the material.
+    [[noreturn]] void
+    give_up(const StageFailed &failure);
 
     /// Couplings and prescribed unknowns of a stage.
     void

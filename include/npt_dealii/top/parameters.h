@@ -30,6 +30,17 @@ namespace NPT
     parse_parameters(dealii::ParameterHandler &prm);
   };
 
+  /// Subsection "Stability".
+  struct StabilityParameters
+  {
+    bool check_ellipticity = false;
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+
   /**
    * Parameters of a numerical plate test. Origin stays visible:
    * parameters.friction.coefficient is the entry "Friction coefficient" of
@@ -45,6 +56,7 @@ namespace NPT
     LoadProgramme          load_programme;
     NewtonParameters       newton;
     LinearSolverParameters linear_solver;
+    StabilityParameters    stability;
     OutputParameters       output;
 
     /// Whether the cell type was chosen by the program.
