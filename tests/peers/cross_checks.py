@@ -6,12 +6,14 @@
         the isotropic cell by CalculiX and by npt_dealii, on several meshes
     cross_checks.py law --output DIR
         one element of CalculiX against the formula of the law
+    cross_checks.py slip --output DIR
+        the direction of friction in CalculiX after both bodies have turned
     cross_checks.py bases --output DIR [--program npt_dealii] [--friction 0.3]
         the default cell by NURBS, Bernstein and Lagrange functions
 
 Runs found complete in DIR are not repeated, so a study that was interrupted
 goes on where it stopped; a run that fails is reported and left out. Needs
-Python's standard library, gnuplot, and for the first two commands ccx.
+Python's standard library, gnuplot, and for all but the last ccx.
 """
 
 import argparse
@@ -266,9 +268,72 @@ def law(options):
           "largest component (7 digits are printed)")
 
 
+def slip(options):
+    """Two blocks, all nodes prescribed: press them together, turn both by 90
+    degrees about the normal, then slide the upper one along e1. Friction must
+    oppose e1; the force that CalculiX has on the upper block is printed."""
+    corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    overlap, distance, mu = 0.01, 0.2, 0.3
+    deck = ["*NODE, NSET=ALL"]
+    nodes = []
+    for size, low, high in ((2.0, -1.0, 0.0), (0.5, 0.0, 1.0)):
+        nodes += [(size * x, size * y, z) for z in (low, high) for x, y in corners]
+    deck += [f"{i + 1}, {x}, {y}, {z}" for i, (x, y, z) in enumerate(nodes)]
+    deck += ["*NSET, NSET=UPPER", "9, 10, 11, 12, 13, 14, 15, 16",
+             "*ELEMENT, TYPE=C3D8, ELSET=BLOCKS", "1, 1, 2, 3, 4, 5, 6, 7, 8",
+             "2, 9, 10, 11, 12, 13, 14, 15, 16",
+             "*SURFACE, NAME=PRIMARY", "1, S2", "*SURFACE, NAME=SECONDARY",
+             "2, S1", "*MATERIAL, NAME=CIARLET_EL",
+             "*USER MATERIAL, CONSTANTS=2", "1e-3, 0.3",
+             "*SOLID SECTION, ELSET=BLOCKS, MATERIAL=CIARLET_EL",
+             "*SURFACE INTERACTION, NAME=CONTACT",
+             "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR", "100",
+             "*FRICTION", f"{mu}, 1000",
+             "*CONTACT PAIR, INTERACTION=CONTACT, TYPE=SURFACE TO SURFACE",
+             "SECONDARY, PRIMARY"]
+
+    def step(steps, position):
+        deck.extend(["*STEP, NLGEOM, INC=1000", "*STATIC",
+                     f"{1 / steps}, 1, {1e-3 / steps}, {1 / steps}", "*BOUNDARY"])
+        for i, X in enumerate(nodes):
+            for c, x in enumerate(position(X, i >= 8)):
+                deck.append(f"{i + 1}, {c + 1}, {c + 1}, {x - X[c]:.12g}")
+        deck.extend(["*NODE PRINT, NSET=UPPER, TOTALS=ONLY", "RF", "*END STEP"])
+
+    def press(X, upper):
+        return X[0], X[1], X[2] - (overlap if upper else 0.0)
+
+    def turn(angle):
+        def position(X, upper):
+            x, y, z = press(X, upper)
+            return (math.cos(angle) * x - math.sin(angle) * y,
+                    math.sin(angle) * x + math.cos(angle) * y, z)
+        return position
+
+    def slide(X, upper):
+        x, y, z = turn(0.5 * math.pi)(X, upper)
+        return x + (distance if upper else 0.0), y, z
+
+    step(1, lambda X, upper: X)
+    step(1, press)
+    for k in range(1, 10):  # chords of ten degrees: the blocks keep their size
+        step(1, turn(math.radians(10 * k)))
+    step(20, slide)
+    (options.output / "slip.inp").write_text("\n".join(deck) + "\n")
+    with (options.output / "slip.log").open("w") as log:
+        subprocess.run(["ccx", "-i", "slip"], cwd=options.output, stdout=log,
+                       stderr=subprocess.STDOUT, check=False)
+    lines = (options.output / "slip.dat").read_text().splitlines()
+    force = [float(word) for word in lines[-1].split()[-3:]]
+    limit = mu * abs(force[2])
+    print("reaction that moves the upper block along e1, over mu times the normal "
+          f"force: {force[0] / limit:.3f}, {force[1] / limit:.3f}; by Coulomb's "
+          "law 1, 0")
+
+
 def main():
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    p.add_argument("study", choices=("calculix", "law", "bases"))
+    p.add_argument("study", choices=("calculix", "law", "slip", "bases"))
     p.add_argument("--output", required=True, type=pathlib.Path)
     p.add_argument("--program", default="npt_dealii", help="npt_dealii to run")
     p.add_argument("--friction", type=float, default=0.0, help="bases only")
@@ -277,7 +342,8 @@ def main():
     options = p.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
     options.output = options.output.resolve()
-    {"calculix": calculix, "law": law, "bases": bases}[options.study](options)
+    {"calculix": calculix, "law": law, "slip": slip,
+     "bases": bases}[options.study](options)
 
 
 if __name__ == "__main__":
