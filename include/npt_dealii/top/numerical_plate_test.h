@@ -14,6 +14,7 @@
 #include <npt_dealii/iga/iga_space.h>
 #include <npt_dealii/material/solid_kernel.h>
 #include <npt_dealii/output/curve_writer.h>
+#include <npt_dealii/output/hysteresis.h>
 #include <npt_dealii/output/run_log.h>
 #include <npt_dealii/solver/condensed_system.h>
 #include <npt_dealii/solver/linear_solver.h>
@@ -114,6 +115,8 @@ namespace NPT
     output_fields(const std::string &stage);
     void
     finish_output();
+    void
+    report_loop(const HysteresisLoop &loop);
     double
     cpu_seconds() const;
 
