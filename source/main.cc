@@ -7,6 +7,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/output/run_summary.h>
+#include <npt_dealii/top/contact_benchmark.h>
 #include <npt_dealii/top/material_test_parameters.h>
 #include <npt_dealii/top/numerical_material_test.h>
 #include <npt_dealii/top/numerical_plate_test.h>
@@ -125,6 +126,18 @@ namespace
           std::cout);
         test.run();
       }
+    else if (problem == "contact benchmark")
+      {
+        const auto parameters =
+          ContactBenchmarkParameters::read(text, command.overrides);
+        if (done_with_parameters(command, parameters))
+          return 0;
+        ContactBenchmark benchmark(
+          parameters,
+          make_output_directory(command, parameters.output.directory),
+          std::cout);
+        benchmark.run();
+      }
     else if (problem == "identification")
       {
         const auto parameters =
@@ -160,12 +173,13 @@ namespace
     else
       throw InputError("Problem is '" + problem +
                        "'; it must be plate test, material test, "
-                       "identification or parameter study" +
+                       "identification, parameter study or contact benchmark" +
                        did_you_mean(problem,
                                     {"plate test",
                                      "material test",
                                      "identification",
-                                     "parameter study"}));
+                                     "parameter study",
+                                     "contact benchmark"}));
     return 0;
   }
 } // namespace
