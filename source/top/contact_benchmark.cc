@@ -117,9 +117,12 @@ namespace NPT
 
     surfaces_[0] = std::make_unique<IGASurface<3>>(bodies_->space(), 0, 2, 0);
     surfaces_[1] = std::make_unique<IGASurface<3>>(bodies_->space(), 1, 2, 1);
-    contact_     = std::make_unique<ContactAssembler<3>>(
+    std::vector<ContactSurface<3>> primary(1, ContactSurface<3>(*surfaces_[1]));
+    primary[0].set_edge_radius(parameters_.contact.edge_radius *
+                               model_.body_height);
+    contact_ = std::make_unique<ContactAssembler<3>>(
       ContactSurface<3>(*surfaces_[0]),
-      std::vector<ContactSurface<3>>(1, ContactSurface<3>(*surfaces_[1])),
+      primary,
       parameters_.contact,
       parameters_.friction,
       parameters_.contact.maximum_penetration * model_.body_height);
@@ -200,12 +203,14 @@ namespace NPT
     contact_->set_friction(stage.friction);
     if (friction_begins)
       {
-        // Slip counts from here; without friction commit() stores no traction.
+        // Slip counts from here: the present closest points are the reference,
+        // with zero traction.
         contact_->start_step(u_);
-        contact_->set_friction(false);
         contact_->evaluate(u_);
+        auto history = contact_->history();
         contact_->commit();
-        contact_->set_friction(true);
+        history.closest = contact_->history().closest;
+        contact_->set_history(history);
       }
   }
 
@@ -290,12 +295,42 @@ namespace NPT
         problem.solve           = solve;
         problem.force_scale     = [&]() { return force_scale_; };
         report_                 = solve_newton(parameters_.newton, problem, x);
+        if (parameters_.contact.augmented())
+          augment(problem, x);
         return true;
       }
     catch (const LoadStepFailure &failure)
       {
         failure_reason_ = failure.what();
         return false;
+      }
+  }
+
+
+
+  /*
+   * Augmented Lagrangian: repeat Newton's method with the tractions of the
+   * last solution as multipliers until these change no more, (A17).
+   */
+  void
+  ContactBenchmark::augment(const NewtonProblem &problem, Vector<double> &x)
+  {
+    const ContactParameters &contact = parameters_.contact;
+    for (unsigned int k = 0;; ++k)
+      {
+        const auto violation = contact_->violation();
+        if (violation.gap <= contact.penetration_tolerance &&
+            violation.slip <= contact.stick_tolerance)
+          return;
+        if (k == contact.max_augmentations)
+          throw NewtonNotConverged("augmentation limit",
+                                   "gap " + format(violation.gap) +
+                                     " mm, stick drift " +
+                                     format(violation.slip) + " mm after " +
+                                     std::to_string(k) + " augmentations.");
+        contact_->augment();
+        report_.iterations +=
+          solve_newton(parameters_.newton, problem, x).iterations;
       }
   }
 

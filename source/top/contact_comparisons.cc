@@ -88,20 +88,20 @@ namespace NPT
     // Gauss point is what its area carries.
     const auto                &points = contact_->quadrature_points();
     std::vector<ContactSample> result(points.size());
-    std::vector<double>        work(points.size(), 0.);
-    std::vector<Tensor<1, 2>>  covariant(points.size());
     for (unsigned int I = 0; I < contact_->nodes().size(); ++I)
       {
         const auto &state = contact_->nodes()[I];
         const auto &node  = contact_->averaging().nodes()[I];
         if (!state.active)
           continue;
+        const Tensor<1, 3> traction = contact_->friction_traction(I);
         for (const auto &entry : node.entries)
           {
-            work[entry.point] -= node.area * entry.weight * state.pressure;
-            for (unsigned int a = 0; a < 2; ++a)
-              covariant[entry.point][a] +=
-                node.area * entry.weight * state.friction.traction[a];
+            // R^I at the point.
+            const double value =
+              node.area * entry.weight / points[entry.point].area;
+            result[entry.point].pressure -= value * state.pressure;
+            result[entry.point].traction += value * traction;
           }
       }
     for (unsigned int q = 0; q < points.size(); ++q)
@@ -117,16 +117,7 @@ namespace NPT
               x[c] += u_[3 * A + c];
             sample.x += shape.value[l] * x;
           }
-        sample.area     = points[q].area;
-        sample.pressure = work[q] / sample.area;
-
-        const auto  &a    = contact_->closest_points()[q].a;
-        const double g[3] = {a[0] * a[0], a[0] * a[1], a[1] * a[1]};
-        const double det  = g[0] * g[2] - g[1] * g[1];
-        const auto  &t    = covariant[q];
-        sample.traction   = ((g[2] * t[0] - g[1] * t[1]) * a[0] +
-                           (g[0] * t[1] - g[1] * t[0]) * a[1]) /
-                          (det * sample.area);
+        sample.area = points[q].area;
       }
     return result;
   }
@@ -204,7 +195,9 @@ namespace NPT
                   "mm",
                   rows_.back().value[0],
                   0.6 * (upper - 1.) + 1. * (lower - 1.) -
-                    p.pressure / parameters_.contact.normal_penalty);
+                    (parameters_.contact.augmented() ?
+                       0. :
+                       p.pressure / parameters_.contact.normal_penalty));
     double largest = 0, square = 0, volume = 0;
     bodies_->for_each_point(u_,
                             [&](const DeformableBodies::MaterialPoint &point) {
@@ -426,7 +419,9 @@ namespace NPT
     const double k =
       1. / (upper_H / (p.upper.constants().mu * upper_A) +
             lower_H / (p.lower.constants().mu * lower_A) +
-            1. / (parameters_.friction.tangential_penalty * upper_A));
+            (parameters_.contact.augmented() ?
+               0. :
+               1. / (parameters_.friction.tangential_penalty * upper_A)));
     const double limit =
       parameters_.friction.coefficient * p.pressure * upper_A;
 

@@ -58,10 +58,10 @@ namespace NPT
   /// State at a Gauss point of the secondary surface.
   struct ContactSample
   {
-    dealii::Point<3>     x;    ///< current position [mm]
-    double               area; ///< reference [mm^2]
-    double               pressure;
-    dealii::Tensor<1, 3> traction; ///< of friction, on the primary body [MPa]
+    dealii::Point<3>     x;            ///< current position [mm]
+    double               area     = 0; ///< reference [mm^2]
+    double               pressure = 0; ///< [MPa]
+    dealii::Tensor<1, 3> traction;     ///< of friction, along the slip [MPa]
   };
 
   /**
@@ -116,6 +116,8 @@ namespace NPT
     begin_stage(const ContactStage &stage);
     bool
     solve_load_step(const double load_factor);
+    void
+    augment(const NewtonProblem &problem, dealii::Vector<double> &x);
     void
     accept_load_step(const ContactStage &stage, const double load_factor);
     void
