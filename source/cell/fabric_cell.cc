@@ -78,157 +78,229 @@ namespace NPT
 
 
 
-  std::string
+  std::pair<std::string, std::string>
   FabricCell::smallest_type(const CellParameters            &cell,
                             const std::vector<unsigned int> &modes)
   {
-    if (!WeavePattern(cell.weave).is_plain())
-      return "unit cell";
+    const WeavePattern weave(cell.weave);
+    const std::string  by_translations =
+      weave.is_plain() ? "two-crossing cell" : "primitive cell";
+    if (!weave.has_glide())
+      return {by_translations,
+              "because no glide plane exchanges over and under in this weave"};
     for (const unsigned int n : modes)
       if (n >= 3)
-        return "two-crossing cell";
-    return "sub-unit cell";
+        return {by_translations,
+                "because H" + std::to_string(n + 1) + " or n" +
+                  std::to_string(n + 1) +
+                  " is prescribed, which glide planes forbid"};
+    return {"sub-unit cell",
+            "because only modes 1 to 3 are prescribed, which glide planes "
+            "allow"};
   }
 
 
 
   FabricCell::FabricCell(const CellParameters &cell, const MeshParameters &mesh)
     : parameters_(cell)
+    , L1_(cell.crossing_spacing.weft)
+    , L2_(cell.crossing_spacing.warp)
   {
-    const double       L = cell.crossing_spacing;
-    const Tensor<1, 3> e1({1., 0., 0.}), e2({0., 1., 0.});
-    const Tensor<1, 3> glide({1., 1., -1.}), none({1., 1., 1.});
-
     if (cell.type == "laminate")
       {
-        area_ = L * L;
+        const Tensor<1, 3> none({1., 1., 1.});
+        area_ = L1_ * L2_;
         add_plies(mesh);
-        add_operations({{{"translation along Y1", none, L * e1},
-                         {"translation along Y2", none, L * e2}}});
+        for (int k = -1; k <= 1; ++k)
+          for (int l = -1; l <= 1; ++l)
+            if (k != 0 || l != 0)
+              operations_.push_back(
+                {"translation", none, Tensor<1, 3>({k * L1_, l * L2_, 0.})});
         return;
       }
 
     WeavePattern weave(cell.weave);
-    const bool   has_axis = weave.center_on_two_fold_axis();
-    two_fold_axis_        = cell.two_fold_axis && has_axis;
-    const auto warp       = [&](const double position, const unsigned int n) {
-      bundles_.push_back({FiberBundle::Family::warp,
-                          NURBSPatch<3>(lens_bundle(n, mesh)),
-                          e1,
-                          static_cast<unsigned int>(bundles_.size())});
-      strands_.push_back({position, -0.5 * L, n});
-    };
-    const auto weft = [&](const double position, const unsigned int n) {
-      bundles_.push_back({FiberBundle::Family::weft,
-                          NURBSPatch<3>(lens_bundle(n, mesh)),
-                          e2,
-                          static_cast<unsigned int>(bundles_.size())});
-      strands_.push_back({position, -0.5 * L, n});
-    };
+    axis_          = weave.center_on_two_fold_axis();
+    two_fold_axis_ = cell.two_fold_axis && axis_.has_value();
+    if (cell.type == "sub-unit cell" && !weave.has_glide())
+      throw InputError("Type is sub-unit cell, but the weave '" + cell.weave +
+                       "' has no glide plane: no shift exchanges over and "
+                       "under; use Type = primitive cell or automatic "
+                       "(subsection Cell).");
+    if (cell.type == "two-crossing cell" && !weave.is_plain())
+      throw InputError("Type is two-crossing cell, but the weave '" +
+                       cell.weave +
+                       "' is not plain; use Type = primitive cell or automatic "
+                       "(subsection Cell).");
 
-    if (cell.type == "sub-unit cell" || cell.type == "two-crossing cell")
+    // All shifts of this cell within reach of its bundles, nearest first.
+    const Tensor<1, 3>              glide({1., 1., -1.}), none({1., 1., 1.});
+    const int                       n_warp = weave.n_warp();
+    const int                       n_weft = weave.n_weft();
+    std::vector<std::array<int, 2>> shifts;
+    for (int p = -2 * n_warp - 1; p <= 2 * n_warp + 1; ++p)
+      for (int q = -2 * n_weft - 1; q <= 2 * n_weft + 1; ++q)
+        if (shift_sign(weave, p, q) != 0)
+          shifts.push_back({{p, q}});
+    std::stable_sort(
+      shifts.begin(), shifts.end(), [](const auto &a, const auto &b) {
+        return std::make_pair(std::abs(a[0]) + std::abs(a[1]), std::abs(a[0])) <
+               std::make_pair(std::abs(b[0]) + std::abs(b[1]), std::abs(b[0]));
+      });
+    for (const auto &[p, q] : shifts)
       {
-        if (!weave.is_plain())
-          throw InputError("Type is " + cell.type + ", but the weave '" +
-                           cell.weave +
-                           "' is not plain; use Type = unit cell or automatic "
-                           "(subsection Cell).");
-        const bool         one = cell.type == "sub-unit cell";
-        const unsigned int n   = one ? 1 : 2;
-        area_                  = n * L * L;
-        warp(0., n);
-        weft(0., n);
-        if (one)
-          add_operations({{{"glide plane along Y1", glide, L * e1},
-                           {"glide plane along Y2", glide, L * e2}}});
-        else
-          add_operations({{{"translation (L, L)", none, L * (e1 + e2)},
-                           {"translation (L, -L)", none, L * (e1 - e2)}}});
-      }
-    else
-      {
-        area_ = weave.n_warp() * weave.n_weft() * L * L;
-        for (unsigned int i = 0; i < weave.n_warp(); ++i)
-          warp(i * L, weave.n_weft());
-        for (unsigned int j = 0; j < weave.n_weft(); ++j)
-          weft(j * L, weave.n_warp());
-        add_operations(
-          {{{"translation along Y1", none, weave.n_weft() * L * e1},
-            {"translation along Y2", none, weave.n_warp() * L * e2}}});
+        const bool        is_glide = shift_sign(weave, p, q) < 0;
+        const std::string where =
+          p == 0 ? " along Y1" :
+          q == 0 ? " along Y2" :
+                   " (" + std::to_string(q) + ", " + std::to_string(p) + ")";
+        lattice_.push_back(
+          {p == 0 && q == 0 ?
+             "" :
+             (is_glide ? "glide plane" : "translation") + where,
+           is_glide ? glide : none,
+           Tensor<1, 3>({q * L1_, p * L2_, 0.})});
       }
 
-    // Put the bundles in their places.
-    for (unsigned int b = 0; b < bundles_.size(); ++b)
-      {
-        const Strand &s      = strands_[b];
-        const bool along_one = bundles_[b].family == FiberBundle::Family::warp;
-        bundles_[b].patch.transform([&](const Point<3> &P) {
-          return along_one ? Point<3>(P[0] + s.begin, P[1] + s.position, P[2]) :
-                             Point<3>(-P[1] + s.position, P[0] + s.begin, P[2]);
-        });
-      }
-
-    // Where the 2-fold axis takes the bundles as a whole: the middle of a
-    // bundle onto the middle of another one.
-    mirror_.assign(bundles_.size(), -1);
-    mirror_operation_.resize(bundles_.size());
-    if (two_fold_axis_)
-      for (unsigned int b = 0; b < bundles_.size(); ++b)
-        for (const SymmetryOperation &g : operations_)
-          for (unsigned int c = 0; c < bundles_.size(); ++c)
-            {
-              const auto middle = [&](const unsigned int k) {
-                const double along =
-                  strands_[k].begin + 0.5 * strands_[k].n_crossings * L;
-                return bundles_[k].family == FiberBundle::Family::warp ?
-                         Point<3>(along, strands_[k].position, 0.) :
-                         Point<3>(strands_[k].position, along, 0.);
-              };
-              if (g.Q[0] < 0 && g.Q[2] > 0 &&
-                  bundles_[b].family == bundles_[c].family &&
-                  g(middle(b)).distance(middle(c)) < 1e-9 * L)
-                {
-                  mirror_[b]           = c;
-                  mirror_operation_[b] = g;
-                }
-            }
+    add_strands(weave, mesh);
+    add_operations();
     add_contacts(weave);
   }
 
 
 
-  NURBSPatch<3>
-  FabricCell::lens_bundle(const unsigned int    n_crossings,
-                          const MeshParameters &mesh) const
+  int
+  FabricCell::shift_sign(const WeavePattern &weave,
+                         const int           warp,
+                         const int           weft) const
   {
-    const double        L = parameters_.crossing_spacing * n_crossings;
-    const NURBSPatch<2> section =
-      lens_section(parameters_.bundle_width,
-                   parameters_.bundle_thickness,
-                   parameters_.blunt_tip * parameters_.bundle_thickness);
+    if (parameters_.type == "unit cell")
+      return warp % static_cast<int>(weave.n_warp()) == 0 &&
+                 weft % static_cast<int>(weave.n_weft()) == 0 ?
+               1 :
+               0;
+    if (weave.is_translation(warp, weft))
+      return 1;
+    return parameters_.type == "sub-unit cell" && weave.is_glide(warp, weft) ?
+             -1 :
+             0;
+  }
+
+
+
+  void
+  FabricCell::add_strands(const WeavePattern &weave, const MeshParameters &mesh)
+  {
+    const Tensor<1, 3>       e1({1., 0., 0.}), e2({0., 1., 0.});
+    const std::array<int, 2> twice_origin =
+      axis_ ? *axis_ : std::array<int, 2>{{0, 0}};
+    area_ = 0;
+    for (const bool is_warp : {true, false})
+      {
+        // Shifts (across, along) of a bundle of this family.
+        const auto sign = [&](const int across, const int along) {
+          return is_warp ? shift_sign(weave, across, along) :
+                           shift_sign(weave, along, across);
+        };
+        const int    n_parallel   = is_warp ? weave.n_warp() : weave.n_weft();
+        const int    n_along      = is_warp ? weave.n_weft() : weave.n_warp();
+        const int    origin       = twice_origin[is_warp ? 0 : 1];
+        const int    origin_along = twice_origin[is_warp ? 1 : 0];
+        const double across_L     = is_warp ? L2_ : L1_;
+        const double along_L      = is_warp ? L1_ : L2_;
+        const BundleSection section =
+          is_warp ? parameters_.warp_section() : parameters_.weft_section();
+
+        std::vector<int> indices;
+        for (int i = 0; i < n_parallel; ++i)
+          {
+            bool is_new = true;
+            for (const int other : indices)
+              for (int q = 0; q < n_along && is_new; ++q)
+                is_new = sign(i - other, q) == 0;
+            if (!is_new)
+              continue;
+            indices.push_back(i);
+
+            int n = 1;
+            while (sign(0, n) == 0)
+              ++n;
+            // If a 2-fold axis goes through the bundle, let it begin so that
+            // it maps onto itself: then half of it need not be integrated. The
+            // axis takes crossing j to crossing origin_along - j + q where
+            // (2 i - origin, q) is a translation.
+            int first = 0;
+            for (int candidate = 0; axis_ && candidate > -n; --candidate)
+              if (sign(2 * i - origin, 2 * candidate + n - 1 - origin_along) >
+                  0)
+                {
+                  first = candidate;
+                  break;
+                }
+
+            NURBSPatch<3> patch = straight_bundle(section, along_L, n, mesh);
+            Strand        s;
+            s.index       = i;
+            s.position    = (i - 0.5 * origin) * across_L;
+            s.first       = first;
+            s.n_crossings = n;
+            s.begin       = (first - 0.5 - 0.5 * origin_along) * along_L;
+            s.length      = n * along_L;
+            s.held        = false;
+            for (int q = 0; axis_ && q < n_along; ++q)
+              s.held = s.held || sign(2 * i - origin, q) != 0;
+            patch.transform([&](const Point<3> &P) {
+              return is_warp ?
+                       Point<3>(P[0] + s.begin, P[1] + s.position, P[2]) :
+                       Point<3>(-P[1] + s.position, P[0] + s.begin, P[2]);
+            });
+            bundles_.push_back(
+              {is_warp ? FiberBundle::Family::warp : FiberBundle::Family::weft,
+               patch,
+               is_warp ? e1 : e2,
+               static_cast<unsigned int>(bundles_.size())});
+            strands_.push_back(s);
+            if (is_warp)
+              area_ += n * L1_ * L2_;
+          }
+      }
+  }
+
+
+
+  Point<3>
+  FabricCell::middle(const unsigned int bundle) const
+  {
+    const Strand &s     = strands_[bundle];
+    const double  along = s.begin + 0.5 * s.length;
+    return bundles_[bundle].family == FiberBundle::Family::warp ?
+             Point<3>(along, s.position, 0.) :
+             Point<3>(s.position, along, 0.);
+  }
+
+
+
+  NURBSPatch<3>
+  FabricCell::straight_bundle(const BundleSection  &section,
+                              const double          spacing,
+                              const unsigned int    n_crossings,
+                              const MeshParameters &mesh) const
+  {
+    const NURBSPatch<2> face = section.patch(mesh.degree, mesh.elements_across);
     std::vector<Point<3>> points;
     std::vector<double>   weights;
-    for (unsigned int l = 0; l < section.n_control_points(); ++l)
+    for (unsigned int l = 0; l < face.n_control_points(); ++l)
       for (const double end : {0., 1.})
         {
-          const Point<2> &P = section.control_points()[l];
-          points.emplace_back(end * L, P[0], P[1]);
-          weights.push_back(section.weights()[l]);
+          const Point<2> &P = face.control_points()[l];
+          points.emplace_back(end * spacing * n_crossings, P[0], P[1]);
+          weights.push_back(face.weights()[l]);
         }
-    NURBSPatch<3> bundle({{KnotVector::uniform(1, 1),
-                           section.knot_vector(0),
-                           section.knot_vector(1)}},
-                         points,
-                         weights);
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        if (mesh.degree < bundle.knot_vector(d).degree())
-          throw InputError("Degree is " + std::to_string(mesh.degree) +
-                           "; this section needs at least " +
-                           std::to_string(bundle.knot_vector(d).degree()) +
-                           " (subsection Mesh).");
-        bundle.elevate_degree(d, mesh.degree - bundle.knot_vector(d).degree());
-      }
+    NURBSPatch<3> bundle(
+      {{KnotVector::uniform(1, 1), face.knot_vector(0), face.knot_vector(1)}},
+      points,
+      weights);
+    bundle.make_isotropic();
     bundle.subdivide(0, mesh.elements_along * n_crossings);
     // Between crossings the bundle is C0, as it is over the periodic faces of
     // the sub-unit cell: all cells of a weave then are the same discretization,
@@ -239,7 +311,6 @@ namespace NPT
       for (unsigned int m = 1; m < mesh.degree; ++m)
         joints.push_back(breaks[k * mesh.elements_along]);
     bundle.insert_knots(0, joints);
-    bundle.subdivide(1, mesh.elements_across);
     bundle.subdivide(2, mesh.elements_through);
     return bundle;
   }
@@ -249,15 +320,15 @@ namespace NPT
   void
   FabricCell::add_plies(const MeshParameters &mesh)
   {
-    const double L = parameters_.crossing_spacing;
-    const double t = parameters_.bundle_thickness / parameters_.plies.size();
+    const double thickness = parameters_.bundle_thickness.warp;
+    const double t         = thickness / parameters_.plies.size();
     for (unsigned int k = 0; k < parameters_.plies.size(); ++k)
       {
-        const double bottom = -0.5 * parameters_.bundle_thickness + k * t;
+        const double          bottom = -0.5 * thickness + k * t;
         std::vector<Point<3>> points;
         for (const double z : {bottom, bottom + t})
-          for (const double y : {-0.5 * L, 0.5 * L})
-            for (const double x : {-0.5 * L, 0.5 * L})
+          for (const double y : {-0.5 * L2_, 0.5 * L2_})
+            for (const double x : {-0.5 * L1_, 0.5 * L1_})
               points.emplace_back(x, y, z);
         NURBSPatch<3> ply({{KnotVector::uniform(1, 1),
                             KnotVector::uniform(1, 1),
@@ -274,7 +345,7 @@ namespace NPT
            ply,
            Tensor<1, 3>({std::cos(angle), std::sin(angle), 0.}),
            0});
-        strands_.push_back({0., -0.5 * L, 1});
+        strands_.push_back({0, 0., 0, 1, -0.5 * L1_, L1_, false});
       }
     mirror_.assign(bundles_.size(), -1);
     mirror_operation_.resize(bundles_.size());
@@ -283,42 +354,54 @@ namespace NPT
 
 
   void
-  FabricCell::add_operations(const std::array<SymmetryOperation, 2> &generators)
+  FabricCell::add_operations()
   {
-    const Tensor<1, 3>      none({1., 1., 1.});
-    const SymmetryOperation identity{"", none, Tensor<1, 3>()};
-    const auto              inverse = [](const SymmetryOperation &g) {
-      SymmetryOperation result = g;
-      for (unsigned int i = 0; i < 3; ++i)
-        result.a[i] = -g.Q[i] * g.a[i];
-      return result;
-    };
-    // Powers -2..2 of both generators reach every neighbor that a bundle of
-    // the base cell can be mapped onto or can touch.
-    lattice_ = {identity};
-    for (int k = -2; k <= 2; ++k)
-      for (int l = -2; l <= 2; ++l)
-        {
-          SymmetryOperation g = identity;
-          for (int i = 0; i < std::abs(k); ++i)
-            g = g.then(k > 0 ? generators[0] : inverse(generators[0]));
-          for (int i = 0; i < std::abs(l); ++i)
-            g = g.then(l > 0 ? generators[1] : inverse(generators[1]));
-          g.name = k != 0 ? generators[0].name : generators[1].name;
-          if (k != 0 || l != 0)
-            lattice_.push_back(g);
-        }
-    operations_.assign(lattice_.begin() + 1, lattice_.end());
-    if (two_fold_axis_)
-      {
-        const SymmetryOperation axis{"2-fold axis along Y3",
-                                     Tensor<1, 3>({-1., -1., 1.}),
-                                     Tensor<1, 3>()};
-        for (const SymmetryOperation &g : lattice_)
+    // Boxes of the bundles in plane, to find which operations relate any of
+    // their points.
+    const auto touches = [&](const SymmetryOperation &g) {
+      for (unsigned int b = 0; b < bundles_.size(); ++b)
+        for (unsigned int c = 0; c < bundles_.size(); ++c)
           {
-            operations_.push_back(axis.then(g));
-            operations_.back().name = g.name.empty() ? axis.name : g.name;
+            const bool   warp = bundles_[b].family == FiberBundle::Family::warp;
+            const double across_L = warp ? L2_ : L1_;
+            const Point<3> from = g(middle(b)), to = middle(c);
+            if (bundles_[b].family == bundles_[c].family &&
+                std::abs(from[warp ? 1 : 0] - to[warp ? 1 : 0]) <
+                  1e-6 * across_L &&
+                std::abs(from[warp ? 0 : 1] - to[warp ? 0 : 1]) <
+                  0.5 * (strands_[b].length + strands_[c].length) +
+                    1e-6 * across_L)
+              return true;
           }
+      return false;
+    };
+    for (const SymmetryOperation &g : lattice_)
+      if (!g.name.empty() && touches(g))
+        operations_.push_back(g);
+
+    mirror_.assign(bundles_.size(), -1);
+    mirror_operation_.resize(bundles_.size());
+    if (!two_fold_axis_)
+      return;
+    const SymmetryOperation axis{"2-fold axis along Y3",
+                                 Tensor<1, 3>({-1., -1., 1.}),
+                                 Tensor<1, 3>()};
+    for (const SymmetryOperation &shift : lattice_)
+      {
+        SymmetryOperation g = axis.then(shift);
+        g.name              = shift.name.empty() ? axis.name : shift.name;
+        if (!touches(g))
+          continue;
+        operations_.push_back(g);
+        // Where it takes whole bundles: the middle of one to that of another.
+        for (unsigned int b = 0; b < bundles_.size(); ++b)
+          for (unsigned int c = 0; c < bundles_.size(); ++c)
+            if (g.Q[2] > 0 && bundles_[b].family == bundles_[c].family &&
+                g(middle(b)).distance(middle(c)) < 1e-9 * (L1_ + L2_))
+              {
+                mirror_[b]           = c;
+                mirror_operation_[b] = g;
+              }
       }
   }
 
@@ -327,49 +410,67 @@ namespace NPT
   void
   FabricCell::add_contacts(const WeavePattern &weave)
   {
-    // Every crossing of every weft bundle: there the weft's top touches the
-    // bottom of a warp strand that is over it, or its bottom the top of one
-    // that is under it.
-    const double L = parameters_.crossing_spacing;
-    for (unsigned int weft = 0; weft < bundles_.size(); ++weft)
+    // Every crossing of every secondary bundle: there the weft's top touches
+    // the bottom of a warp strand that is over it, or its bottom the top of one
+    // that is under it; the other way round if the warp is secondary.
+    const bool by_warp = parameters_.warp_secondary;
+    const auto secondary =
+      by_warp ? FiberBundle::Family::warp : FiberBundle::Family::weft;
+    // Component along the secondary bundle, and spacings of its crossings and
+    // of those of a primary strand.
+    const unsigned int along   = by_warp ? 0 : 1;
+    const unsigned int across  = 1 - along;
+    const double       along_L = by_warp ? L1_ : L2_;
+    const double       other_L = by_warp ? L2_ : L1_;
+    const int          origin =
+      axis_ ? (*axis_)[by_warp ? 1 : 0] : 0; // twice, along the secondary
+
+    for (unsigned int s = 0; s < bundles_.size(); ++s)
       {
-        if (bundles_[weft].family != FiberBundle::Family::weft)
+        if (bundles_[s].family != secondary)
           continue;
-        ContactCandidates pairs[2] = {{weft, 0, {}}, {weft, 1, {}}};
-        for (unsigned int k = 0; k < strands_[weft].n_crossings; ++k)
+        ContactCandidates pairs[2] = {{s, 0, {}}, {s, 1, {}}};
+        for (unsigned int k = 0; k < strands_[s].n_crossings; ++k)
           {
-            const int    warp_number = k;
-            const int    weft_number = std::lround(strands_[weft].position / L);
-            const bool   over  = weave.warp_is_over(warp_number, weft_number);
-            const double Y1    = strands_[weft].position;
-            const double Y2    = warp_number * L;
-            auto        &faces = pairs[over ? 1 : 0].primaries;
+            const int  crossing = strands_[s].first + static_cast<int>(k);
+            const bool warp_over =
+              by_warp ? weave.warp_is_over(strands_[s].index, crossing) :
+                        weave.warp_is_over(crossing, strands_[s].index);
+            // Whether the primary strand is above.
+            const bool   above       = by_warp ? !warp_over : warp_over;
+            const double Y_secondary = strands_[s].position;
+            const double Y_primary   = (crossing - 0.5 * origin) * along_L;
+            auto        &faces       = pairs[above ? 1 : 0].primaries;
             for (unsigned int b = 0; b < bundles_.size(); ++b)
               for (const SymmetryOperation &g : lattice_)
                 {
-                  if (bundles_[b].family != FiberBundle::Family::warp ||
-                      std::abs(strands_[b].position + g.a[1] - Y2) > 1e-9 * L)
+                  if (bundles_[b].family == secondary ||
+                      std::abs(strands_[b].position + g.a[along] - Y_primary) >
+                        1e-6 * along_L)
                     continue;
-                  const double length = strands_[b].n_crossings * L;
-                  const double begin  = strands_[b].begin + g.a[0];
+                  const double length = strands_[b].length;
+                  const double begin  = strands_[b].begin + g.a[across];
                   // The piece that crosses, and its continuations as far as
                   // a sheared contact zone can reach: half a spacing beyond.
-                  const bool crosses = begin < Y1 && Y1 < begin + length;
+                  const bool crosses =
+                    begin < Y_secondary && Y_secondary < begin + length;
                   const bool near =
-                    begin < Y1 + 0.9 * L && begin + length > Y1 - 0.9 * L;
+                    begin < Y_secondary + 0.9 * other_L &&
+                    begin + length > Y_secondary - 0.9 * other_L;
                   if (!crosses && !(near && parameters_.images))
                     continue;
                   SurfaceImage image;
                   image.bundle = b;
                   // A glide turns top and bottom over.
-                  image.side        = (over ? 0 : 1) ^ (g.Q[2] < 0 ? 1 : 0);
+                  image.side        = (above ? 0 : 1) ^ (g.Q[2] < 0 ? 1 : 0);
                   image.operation   = g;
-                  image.offset_sign = over ? 1. : -1.;
+                  image.offset_sign = above ? 1. : -1.;
                   image.period =
                     crosses ? 0 :
-                              std::lround((begin + 0.5 * length - Y1) / length);
+                              std::lround((begin + 0.5 * length - Y_secondary) /
+                                          length);
                   if (!crosses && image.period == 0)
-                    image.period = begin > Y1 ? 1 : -1;
+                    image.period = begin > Y_secondary ? 1 : -1;
                   image.strand = k;
                   faces.push_back(image);
                 }
@@ -389,6 +490,17 @@ namespace NPT
       if (g.Q[2] < 0)
         return false;
     return true;
+  }
+
+
+
+  bool
+  FabricCell::has_floating_bundles() const
+  {
+    bool result = false;
+    for (const Strand &strand : strands_)
+      result = result || !strand.held;
+    return result && two_fold_axis_;
   }
 
 
@@ -421,7 +533,7 @@ namespace NPT
     if (partner != static_cast<int>(bundle))
       return partner > static_cast<int>(bundle) ? 2 : 0;
     const Point<3> image     = mirror_operation_[bundle](Y);
-    const double   tolerance = 1e-8 * parameters_.crossing_spacing;
+    const double   tolerance = 1e-8 * std::min(L1_, L2_);
     for (unsigned int i = 0; i < 2; ++i)
       if (std::abs(Y[i] - image[i]) > tolerance)
         return Y[i] > image[i] ? 2 : 0;

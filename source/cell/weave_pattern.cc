@@ -96,13 +96,11 @@ namespace NPT
 
 
   bool
-  WeavePattern::has_two_fold_axis(const int warp, const int weft) const
+  WeavePattern::is_translation(const int warp, const int weft) const
   {
     for (unsigned int j = 0; j < n_weft_; ++j)
       for (unsigned int i = 0; i < n_warp_; ++i)
-        if (warp_is_over(warp + i, weft + j) !=
-            warp_is_over(warp - static_cast<int>(i),
-                         weft - static_cast<int>(j)))
+        if (warp_is_over(warp + i, weft + j) != warp_is_over(i, j))
           return false;
     return true;
   }
@@ -110,19 +108,62 @@ namespace NPT
 
 
   bool
-  WeavePattern::center_on_two_fold_axis()
+  WeavePattern::is_glide(const int warp, const int weft) const
   {
     for (unsigned int j = 0; j < n_weft_; ++j)
       for (unsigned int i = 0; i < n_warp_; ++i)
-        if (warp_is_over(i, j) && has_two_fold_axis(i, j))
+        if (warp_is_over(warp + i, weft + j) == warp_is_over(i, j))
+          return false;
+    return true;
+  }
+
+
+
+  bool
+  WeavePattern::has_glide() const
+  {
+    for (unsigned int j = 0; j < n_weft_; ++j)
+      for (unsigned int i = 0; i < n_warp_; ++i)
+        if (is_glide(i, j))
+          return true;
+    return false;
+  }
+
+
+
+  bool
+  WeavePattern::has_two_fold_axis(const int twice_warp,
+                                  const int twice_weft) const
+  {
+    for (int j = 0; j < static_cast<int>(n_weft_); ++j)
+      for (int i = 0; i < static_cast<int>(n_warp_); ++i)
+        if (warp_is_over(i, j) != warp_is_over(twice_warp - i, twice_weft - j))
+          return false;
+    return true;
+  }
+
+
+
+  std::optional<std::array<int, 2>>
+  WeavePattern::center_on_two_fold_axis()
+  {
+    // Crossings with the warp over, other crossings, then points between.
+    for (unsigned int choice = 0; choice < 5; ++choice)
+      for (unsigned int j = 0; j < n_weft_; ++j)
+        for (unsigned int i = 0; i < n_warp_; ++i)
           {
+            const int half_warp = choice == 2 || choice == 4;
+            const int half_weft = choice == 3 || choice == 4;
+            if ((choice == 0 && !warp_is_over(i, j)) ||
+                !has_two_fold_axis(2 * i + half_warp, 2 * j + half_weft))
+              continue;
             std::vector<bool> moved;
             for (unsigned int l = 0; l < n_weft_; ++l)
               for (unsigned int k = 0; k < n_warp_; ++k)
                 moved.push_back(warp_is_over(k + i, l + j));
             over_ = moved;
-            return true;
+            return std::array<int, 2>{{half_warp, half_weft}};
           }
-    return false;
+    return {};
   }
 } // namespace NPT

@@ -28,7 +28,7 @@ namespace NPT
       using Entry = std::pair<BPoint, unsigned int>;
 
       PointFinder(const FabricCell &cell, const IGASpace<3> &space)
-        : tolerance_(1e-7 * cell.parameters().crossing_spacing)
+        : tolerance_(1e-7 * cell.parameters().crossing_spacing.smaller())
       {
         std::vector<Entry> entries[3];
         for (unsigned int b = 0; b < space.n_patches(); ++b)

@@ -10,6 +10,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <sstream>
+#include <utility>
 
 namespace NPT
 {
@@ -43,9 +44,11 @@ namespace NPT
 
   void
   MaterialParameters::declare_parameters(dealii::ParameterHandler &prm,
-                                         const std::string        &subsection)
+                                         const std::string        &subsection,
+                                         const std::string        &same_as)
   {
     using namespace dealii;
+    const std::string same = same_as.empty() ? "" : "as " + same_as;
 
     // The defaults are those of the struct, so that there is one list of them.
     const MaterialParameters defaults;
@@ -58,11 +61,17 @@ namespace NPT
     prm.enter_subsection(subsection);
 
     prm.declare_entry("Law",
-                      "fiber bundle",
-                      Patterns::Selection("fiber bundle|neo-Hookean"),
+                      same.empty() ? "fiber bundle" : same,
+                      Patterns::Selection((same.empty() ? "" : same + "|") +
+                                          "fiber bundle|neo-Hookean"),
                       "Strain energy: the transversely isotropic fiber bundle, "
                       "Eqs. (50)-(53), or the isotropic neo-Hookean law, "
-                      "Eq. (51).");
+                      "Eq. (51)" +
+                        (same.empty() ? "." :
+                                        "; or law and constants " + same +
+                                          ". Constants not given here have "
+                                          "their defaults, not those of the " +
+                                          same_as + "."));
 
     const FiberBundleConstants &m = defaults.fiber_bundle;
     prm.declare_entry("mu_iso",
@@ -123,8 +132,41 @@ namespace NPT
 
   void
   MaterialParameters::parse_parameters(dealii::ParameterHandler &prm,
-                                       const std::string        &subsection)
+                                       const std::string        &subsection,
+                                       const MaterialParameters *other)
   {
+    if (other != nullptr)
+      {
+        const MaterialParameters defaults;
+        prm.enter_subsection(subsection);
+        const std::string choice = prm.get("Law");
+        std::string       ignored;
+        for (const auto &[entry, value] :
+             {std::pair<std::string, double>("mu_iso",
+                                             defaults.fiber_bundle.mu),
+              {"lambda_iso", defaults.fiber_bundle.lambda},
+              {"a_trn", defaults.fiber_bundle.a},
+              {"b_trn", defaults.fiber_bundle.b},
+              {"c_trn", defaults.fiber_bundle.c},
+              {"d_trn", defaults.fiber_bundle.d},
+              {"Young modulus", defaults.young_modulus},
+              {"Poisson ratio", defaults.poisson_ratio}})
+          if (ignored.empty() && prm.get_double(entry) != value)
+            ignored = entry;
+        prm.leave_subsection();
+        if (choice.compare(0, 3, "as ") == 0)
+          {
+            if (!ignored.empty())
+              throw InputError(ignored + " is given, but Law is " + choice +
+                               ", which ignores it; choose Law = fiber bundle "
+                               "or neo-Hookean, or remove the entry "
+                               "(subsection " +
+                               subsection + ").");
+            *this = *other;
+            return;
+          }
+      }
+
     prm.enter_subsection(subsection);
     law =
       prm.get("Law") == "neo-Hookean" ? Law::neo_hookean : Law::fiber_bundle;

@@ -142,7 +142,11 @@ namespace NPT
     std::vector<DeformablePart> parts;
     for (const FiberBundle &bundle : cell_->bundles())
       parts.push_back({bundle.patch,
-                       make_material<3>(parameters_.material, bundle.direction),
+                       make_material<3>(bundle.family ==
+                                            FiberBundle::Family::weft ?
+                                          parameters_.weft_material :
+                                          parameters_.material,
+                                        bundle.direction),
                        bundle.body,
                        "bundle " + std::to_string(parts.size())});
     // A cell and its image under the 2-fold axis do the same work: one of them
@@ -231,21 +235,21 @@ namespace NPT
           parameters_.contact,
           parameters_.friction,
           parameters_.contact.maximum_penetration *
-            parameters_.cell.bundle_thickness,
+            parameters_.cell.bundle_thickness.smaller(),
           [&](const dealii::Point<3> &X) {
             return cell_->multiplicity(pair.secondary_bundle, X);
           }));
       }
     linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
 
-    // Start: straight bundles whose contact partners are held one thickness
-    // apart, so that they just touch.
+    // Start: straight bundles whose contact partners are held one (mean)
+    // thickness apart, so that they just touch.
     u_.reinit(macro_.n_unknowns());
-    u_[macro_.weaving_offset()] = parameters_.cell.bundle_thickness;
+    u_[macro_.weaving_offset()] = cell_->weaving_offset();
     for (const GhostSurface &ghost : ghosts_)
       for (unsigned int l = 0; l < ghost.control_points.size(); ++l)
         u_[ghost.first_unknown + 3 * l + 2] =
-          ghost.offset_sign * parameters_.cell.bundle_thickness;
+          ghost.offset_sign * cell_->weaving_offset();
 
     if (!directory_.empty())
       {
@@ -290,8 +294,7 @@ namespace NPT
       stage_start_[k] = stage_target_[k] = u_[macro_.first + k];
     if (weaving)
       stage_target_[MacroUnknowns::n_modes] =
-        parameters_.cell.bundle_thickness *
-        (1. - parameters_.cell.weaving_depth);
+        cell_->weaving_offset() * (1. - parameters_.cell.weaving_depth);
     for (const auto &target : stage.H_targets)
       {
         stage_target_[target.first]         = target.second;
@@ -317,14 +320,19 @@ namespace NPT
     system_.set_prescribed(prescribed);
 
     // Before contact holds them, the bundles of a cell that is coupled by
-    // translations can float apart vertically. A soft foundation keeps them
-    // during weaving; the release drops it.
-    foundation_.clear();
+    // translations can float apart vertically, and bundles that no 2-fold axis
+    // goes through also in plane. A soft foundation keeps them during weaving
+    // and fades out in the release.
+    if (stage.type == LoadStage::Type::load)
+      foundation_.clear();
     if (weaving && cell_->needs_vertical_pin())
       {
-        foundation_ = bodies_->integrals_of_functions(true);
-        for (double &stiffness : foundation_)
-          stiffness *= foundation_stiffness;
+        const auto         integrals = bodies_->integrals_of_functions(true);
+        const unsigned int first = cell_->has_floating_bundles() ? 0 : 2;
+        foundation_.assign(3 * integrals.size(), 0.);
+        for (unsigned int A = 0; A < integrals.size(); ++A)
+          for (unsigned int i = first; i < 3; ++i)
+            foundation_[3 * A + i] = foundation_stiffness * integrals[A];
       }
 
     // The accepted state must obey the couplings of the new stage: dropping a
@@ -333,8 +341,7 @@ namespace NPT
     system_.restrict_to_independent(u_, m);
     system_.expand(m, expanded);
     expanded -= u_;
-    AssertThrow(expanded.linfty_norm() <
-                  1e-8 * parameters_.cell.bundle_thickness,
+    AssertThrow(expanded.linfty_norm() < 1e-8 * cell_->weaving_offset(),
                 dealii::ExcMessage("The state at the start of stage " +
                                    stage.name +
                                    " violates the couplings of the stage."));
@@ -375,7 +382,9 @@ namespace NPT
   NumericalPlateTest::solve_load_step(const LoadStage &stage,
                                       const double     load_factor)
   {
-    (void)stage;
+    foundation_share_ =
+      stage.type == LoadStage::Type::release ? 1. - load_factor : 1.;
+
     // Targets of this step.
     Vector<double> m_accepted, m_target;
     system_.restrict_to_independent(u_, m_accepted);
@@ -658,8 +667,8 @@ namespace NPT
       // of the cells on their control points, and of contact.
       force_scale_ = std::sqrt(force_scale_ * force_scale_ + force.norm_sqr());
     }
-    for (unsigned int A = 0; A < foundation_.size(); ++A)
-      residual[3 * A + 2] += foundation_[A] * u[3 * A + 2];
+    for (unsigned int k = 0; k < foundation_.size(); ++k)
+      residual[k] += foundation_share_ * foundation_[k] * u[k];
     // Prescribed resultants act on the macro unknowns.
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       if (resultant_controlled_[n])
@@ -674,7 +683,7 @@ namespace NPT
     TimerOutput::Scope timer(timer_, "Pattern");
     // Couplings seen before stay, so that contact points that move to and fro
     // do not rebuild the pattern each time.
-    const double margin = 0.02 * parameters_.cell.bundle_thickness;
+    const double margin = 0.02 * parameters_.cell.bundle_thickness.smaller();
     for (const auto &contact : contacts_)
       {
         auto couplings = contact->coupled_unknowns(margin);
@@ -709,10 +718,11 @@ namespace NPT
                 pattern_is_current_ = false;
             });
         }
-        for (unsigned int A = 0; A < foundation_.size(); ++A)
-          if (foundation_[A] > 0.)
-            system_.add(std::vector<unsigned int>(1, 3 * A + 2),
-                        std::vector<double>(1, foundation_[A]));
+        for (unsigned int k = 0; k < foundation_.size(); ++k)
+          if (foundation_[k] > 0.)
+            system_.add(
+              std::vector<unsigned int>(1, k),
+              std::vector<double>(1, foundation_share_ * foundation_[k]));
         if (!pattern_is_current_)
           continue; // a new coupling appeared: widen the pattern
         TimerOutput::Scope timer(timer_, "Tangent: bundles");

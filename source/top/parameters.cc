@@ -8,6 +8,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <sstream>
+#include <tuple>
 
 namespace NPT
 {
@@ -100,6 +101,7 @@ namespace NPT
       CellParameters::declare_parameters(prm);
       MeshParameters::declare_parameters(prm);
       MaterialParameters::declare_parameters(prm);
+      MaterialParameters::declare_parameters(prm, "Weft material", "warp");
       ContactParameters::declare_parameters(prm);
       FrictionParameters::declare_parameters(prm);
       LoadProgramme::declare_parameters(prm, stages);
@@ -161,6 +163,9 @@ namespace NPT
     parameters.cell.parse_parameters(prm);
     parameters.mesh.parse_parameters(prm);
     parameters.material.parse_parameters(prm);
+    parameters.weft_material.parse_parameters(prm,
+                                              "Weft material",
+                                              &parameters.material);
     parameters.contact.parse_parameters(prm);
     parameters.friction.parse_parameters(prm);
     parameters.load_programme.parse_parameters(prm);
@@ -178,9 +183,8 @@ namespace NPT
             for (const auto &target : stage.n_targets)
               modes.push_back(target.first);
           }
-        parameters.cell.type =
+        std::tie(parameters.cell.type, parameters.reason_for_type) =
           FabricCell::smallest_type(parameters.cell, modes);
-        parameters.automatic_type = true;
       }
     check_modes(parameters);
 

@@ -91,8 +91,8 @@ TEST_CASE("The volume of a lens bundle is its section times its length",
           const IGASpace<3> space(patches(cell), {}, basis);
 
           // int 2 h(y) dy, h = e + (t/2 - e)(1 - (2y/w)^2).
-          const double w       = parameters.bundle_width;
-          const double t       = parameters.bundle_thickness;
+          const double w       = parameters.bundle_width.warp;
+          const double t       = parameters.bundle_thickness.warp;
           const double e       = parameters.blunt_tip * t;
           const double section = 2 * e * w + 4. / 3. * (t / 2 - e) * w;
 
@@ -105,8 +105,8 @@ TEST_CASE("The volume of a lens bundle is its section times its length",
                 volume[space.cells()[c].patch] += values.JxW(q);
             }
           for (const double V : volume)
-            CHECK(V ==
-                  Approx(section * parameters.crossing_spacing).epsilon(1e-12));
+            CHECK(V == Approx(section * parameters.crossing_spacing.warp)
+                         .epsilon(1e-12));
         }
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("The surfaces of a bundle follow the lens", "[cell]")
 {
   const CellParameters parameters = odd_cell();
   const FabricCell     cell(parameters, small_mesh(2, 5));
-  const double         e = parameters.blunt_tip * parameters.bundle_thickness;
+  const double e = parameters.blunt_tip * parameters.bundle_thickness.warp;
   for (const FiberBundle &bundle : cell.bundles())
     for (const double u : {0., 0.3, 1.})
       for (const double v : {0., 0.25, 0.61, 1.})
@@ -126,11 +126,11 @@ TEST_CASE("The surfaces of a bundle follow the lens", "[cell]")
             const bool     warp = bundle.family == FiberBundle::Family::warp;
             const double   y    = warp ? X[1] : X[0];
             const double   h =
-              e + (parameters.bundle_thickness / 2 - e) *
-                    (1 - std::pow(2 * y / parameters.bundle_width, 2));
+              e + (parameters.bundle_thickness.warp / 2 - e) *
+                    (1 - std::pow(2 * y / parameters.bundle_width.warp, 2));
             CHECK(X[2] == Approx(side > 0 ? h : -h).margin(1e-14));
             CHECK((warp ? X[0] : X[1]) ==
-                  Approx((u - 0.5) * parameters.crossing_spacing));
+                  Approx((u - 0.5) * parameters.crossing_spacing.warp));
           }
 }
 
@@ -167,7 +167,7 @@ TEST_CASE("Every operation maps control points inside the cell onto control "
         CellParameters parameters = odd_cell();
         parameters.type           = type;
         const FabricCell cell(parameters, small_mesh(5, across));
-        const double     L         = parameters.crossing_spacing;
+        const double     L         = parameters.crossing_spacing.warp;
         unsigned int     n_related = 0;
         for (const SymmetryOperation &g : cell.operations())
           for (const FiberBundle &bundle : cell.bundles())
@@ -218,7 +218,7 @@ TEST_CASE("Each cell stands for as many crossings as its area says", "[cell]")
       parameters.type           = type;
       parameters.weave          = weave;
       const FabricCell cell(parameters, small_mesh(1, 1));
-      const double     L         = parameters.crossing_spacing;
+      const double     L         = parameters.crossing_spacing.warp;
       unsigned int     crossings = 0;
       for (const ContactCandidates &pair : cell.contacts())
         for (const SurfaceImage &image : pair.primaries)

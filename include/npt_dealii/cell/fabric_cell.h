@@ -11,13 +11,12 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace NPT
 {
-  class WeavePattern;
-
   class WeavePattern;
 
   /// One straight bundle (or one ply of a laminate) in the reference
@@ -102,8 +101,18 @@ namespace NPT
    * The cell in its reference configuration: every bundle straight with its
    * own mid-plane at Z3 = 0, so that cell coordinates are those of the woven
    * state. Bundles interpenetrate there; weaving starts with contact partners
-   * held apart by the weaving offset t (straight bundles that just touch) and
-   * lets the offset go to (1 - depth) t.
+   * held apart by the weaving offset t, the mean thickness of warp and weft
+   * (straight bundles that just touch), and lets the offset go to
+   * (1 - depth) t.
+   *
+   * Which bundles there are follows from the shifts of the weave's table that
+   * the type admits: translations by the repeat (unit cell), all translations
+   * (primitive cell, two-crossing cell), or these and glide planes (sub-unit
+   * cell). Bundles that a shift maps onto each other are one; a bundle extends
+   * over as many crossings as the smallest shift along itself. So plain weave
+   * needs 4, 2 or 1 crossings, 2/2 twill 16, 4 or 2, 5-harness satin 25 or 5
+   * (it has no glide plane). The origin is on a 2-fold axis if the weave has
+   * one.
    */
   class FabricCell
   {
@@ -116,9 +125,9 @@ namespace NPT
     {
       return bundles_;
     }
-    /// All operations that may relate control points of the base cell:
-    /// translations or glides within reach, and each of them after the 2-fold
-    /// axis if there is one.
+    /// All operations that relate control points of the base cell:
+    /// translations or glides that take a bundle of the base cell to another
+    /// one or to its end, and the same after the 2-fold axis if there is one.
     const std::vector<SymmetryOperation> &
     operations() const
     {
@@ -150,6 +159,10 @@ namespace NPT
     /// glide plane excludes it).
     bool
     needs_vertical_pin() const;
+    /// Whether a bundle can float in plane before contact holds it: the 2-fold
+    /// axes go past it. (Without 2-fold axis every bundle is pinned.)
+    bool
+    has_floating_bundles() const;
     /// Whether the operations allow mode n (0..5).
     bool
     represents_mode(const unsigned int n) const;
@@ -166,38 +179,65 @@ namespace NPT
     unsigned int
     multiplicity(const unsigned int bundle, const dealii::Point<3> &Y) const;
 
-    /// The smallest cell type that represents the given modes (0..5).
-    static std::string
+    /// The weaving offset t of straight bundles that just touch [mm].
+    double
+    weaving_offset() const
+    {
+      return parameters_.bundle_thickness.mean();
+    }
+
+    /// The smallest cell type that represents the given modes (0..5), and a
+    /// clause that says why: "because ...".
+    static std::pair<std::string, std::string>
     smallest_type(const CellParameters            &cell,
                   const std::vector<unsigned int> &modes);
 
   private:
+    // A bundle in its cell: its number among the parallel bundles of the weave,
+    // position of the axis, first crossing, number of crossings, begin.
+    struct Strand
+    {
+      int          index;
+      double       position; ///< across [mm]
+      int          first;
+      unsigned int n_crossings;
+      double       begin;  ///< along [mm]
+      double       length; ///< along [mm]
+      bool         held;   ///< a 2-fold axis goes through it
+    };
+
     NURBSPatch<3>
-    lens_bundle(const unsigned int    n_crossings,
-                const MeshParameters &mesh) const;
+    straight_bundle(const BundleSection  &section,
+                    const double          spacing,
+                    const unsigned int    n_crossings,
+                    const MeshParameters &mesh) const;
     void
     add_plies(const MeshParameters &mesh);
     void
-    add_operations(const std::array<SymmetryOperation, 2> &generators);
+    add_strands(const WeavePattern &weave, const MeshParameters &mesh);
+    void
+    add_operations();
     void
     add_contacts(const WeavePattern &weave);
-
-    // A bundle in its cell: position of the axis, begin, crossings.
-    struct Strand
-    {
-      double       position; ///< across
-      double       begin;    ///< along
-      unsigned int n_crossings;
-    };
+    // +1: shifting by this many warp and weft bundles is a translation of this
+    // cell, -1: a glide plane, 0: neither.
+    int
+    shift_sign(const WeavePattern &weave, const int warp, const int weft) const;
+    // The middle of a strand.
+    dealii::Point<3>
+    middle(const unsigned int bundle) const;
 
     CellParameters                 parameters_;
+    double                         L1_, L2_; // spacing along Y1, Y2
     std::vector<FiberBundle>       bundles_;
     std::vector<Strand>            strands_; // by bundle
     std::vector<SymmetryOperation> lattice_; // identity first
     std::vector<SymmetryOperation> operations_;
     std::vector<ContactCandidates> contacts_;
     double                         area_;
-    bool                           two_fold_axis_ = false;
+    // Twice the position of the weave's 2-fold axis, in bundles.
+    std::optional<std::array<int, 2>> axis_;
+    bool                              two_fold_axis_ = false;
     // Where the 2-fold axis takes each bundle, or -1.
     std::vector<int>               mirror_;
     std::vector<SymmetryOperation> mirror_operation_;

@@ -4,6 +4,8 @@
 #ifndef npt_dealii_cell_weave_pattern_h
 #define npt_dealii_cell_weave_pattern_h
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +13,7 @@ namespace NPT
 {
   /**
    * Which bundle is above at each crossing of a weave's repeat. Warp bundle i
-   * lies at Y2 = i Lbar, weft bundle j at Y1 = j Lbar; the table continues
+   * lies at Y2 = i Lbar_2, weft bundle j at Y1 = j Lbar_1; the table continues
    * periodically.
    */
   class WeavePattern
@@ -41,13 +43,29 @@ namespace NPT
     warp_is_over(const int warp, const int weft) const;
     bool
     is_plain() const;
-    /// Whether a rotation by 180 degrees about the crossing of warp i and weft
-    /// j maps the weave onto itself.
+    /// Whether shifting the weave by this many warp and weft bundles maps it
+    /// onto itself.
     bool
-    has_two_fold_axis(const int warp, const int weft) const;
-    /// Move the repeat so that a crossing with a two-fold axis and the warp
-    /// over becomes (0,0); false if there is none (nothing is moved then).
+    is_translation(const int warp, const int weft) const;
+    /// Whether the same shift exchanges over and under everywhere: with a
+    /// mirror at the mid-plane it is a glide plane.
     bool
+    is_glide(const int warp, const int weft) const;
+    /// Whether there is a glide plane at all.
+    bool
+    has_glide() const;
+    /// Whether a rotation by 180 degrees about the point (warp / 2, weft / 2)
+    /// maps the weave onto itself.
+    bool
+    has_two_fold_axis(const int twice_warp, const int twice_weft) const;
+    /**
+     * Renumber the bundles so that a 2-fold axis lies at a crossing (0, 0), if
+     * possible with the warp over, or else between bundles 0 and 1.
+     *
+     * @return Twice the position (warp, weft) of the axis, 0 or 1 each; nothing
+     *   if there is no axis (nothing is renumbered then).
+     */
+    std::optional<std::array<int, 2>>
     center_on_two_fold_axis();
 
   private:

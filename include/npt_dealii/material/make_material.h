@@ -39,19 +39,28 @@ namespace NPT
     double               poisson_ratio     = 0.3;  ///< neo-Hookean [-]
     VolumetricEnergy     volumetric_energy = VolumetricEnergy::logarithm;
 
+    /**
+     * @param same_as Name of another material; not empty: the entry Law has
+     *   the further choice "as NAME", which is its default.
+     */
     static void
     declare_parameters(dealii::ParameterHandler &prm,
-                       const std::string &subsection = "Fiber bundle material");
+                       const std::string &subsection = "Fiber bundle material",
+                       const std::string &same_as    = "");
 
     /**
      * Read the entries and check those of the selected law.
      *
+     * @param other The material that Law = as NAME refers to, or none.
+     *
      * Throws InputError if the small-strain stiffness is not positive
-     * definite, or if Young's modulus or Poisson's ratio is out of range.
+     * definite, if Young's modulus or Poisson's ratio is out of range, or if
+     * constants are given that the law "as NAME" would ignore.
      */
     void
     parse_parameters(dealii::ParameterHandler &prm,
-                     const std::string &subsection = "Fiber bundle material");
+                     const std::string &subsection   = "Fiber bundle material",
+                     const MaterialParameters *other = nullptr);
   };
 
   /**

@@ -153,7 +153,8 @@ namespace NPT
     std::array<double, MacroUnknowns::n_modes> force_start_{}, force_target_{};
     std::array<double, MacroUnknowns::n_modes> conjugate_{};
     std::array<double, MacroUnknowns::n_modes> applied_{};
-    std::vector<double> foundation_; // vertical, per control point, weaving
+    std::vector<double> foundation_;           // per unknown, weave and release
+    double              foundation_share_ = 1; // what the release has left
 
     // The trial state of the last successful solve_load_step().
     dealii::Vector<double> u_trial_, residual_;

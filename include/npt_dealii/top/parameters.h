@@ -51,6 +51,7 @@ namespace NPT
     CellParameters         cell;
     MeshParameters         mesh;
     MaterialParameters     material;
+    MaterialParameters     weft_material; ///< the same unless the file differs
     ContactParameters      contact;
     FrictionParameters     friction;
     LoadProgramme          load_programme;
@@ -59,8 +60,9 @@ namespace NPT
     StabilityParameters    stability;
     OutputParameters       output;
 
-    /// Whether the cell type was chosen by the program.
-    bool automatic_type = false;
+    /// Why the program chose this cell type ("because ..."); empty if the file
+    /// names the type.
+    std::string reason_for_type;
 
     /// The complete file with defaults, as it will be kept with the results.
     std::string used_file;
