@@ -114,6 +114,11 @@ namespace
     const std::string   problem =
       get_entry(text, command.overrides, "Problem").value_or("plate test");
 
+    if (command.action == CommandLine::Action::geometry &&
+        problem != "plate test")
+      throw InputError("--geometry-only shows the cell of a plate test, but "
+                       "Problem is " +
+                       problem + ".");
     if (problem == "material test")
       {
         const auto parameters =
@@ -154,9 +159,12 @@ namespace
         const auto parameters = Parameters::read(text, command.overrides);
         if (done_with_parameters(command, parameters))
           return 0;
-        run_plate_test(parameters,
-                       make_output_directory(command,
-                                             parameters.output.directory));
+        const std::string directory =
+          make_output_directory(command, parameters.output.directory);
+        if (command.action == CommandLine::Action::geometry)
+          NumericalPlateTest(parameters, directory, std::cout).preview();
+        else
+          run_plate_test(parameters, directory);
       }
     else if (problem == "parameter study")
       {

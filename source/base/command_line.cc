@@ -15,6 +15,7 @@ namespace NPT
   {
     const std::vector<std::pair<std::string, CommandLine::Action>> actions = {
       {"--validate", CommandLine::Action::validate},
+      {"--geometry-only", CommandLine::Action::geometry},
       {"--print-defaults", CommandLine::Action::print_defaults},
       {"--help", CommandLine::Action::help},
       {"--version", CommandLine::Action::version}};
@@ -174,6 +175,8 @@ Usage: npt_dealii FILE.prm [options]
   --set 'Sub/Entry=value' replace one entry of the file; may be repeated, and
                           subsections within subsections are joined by '/'
   --validate              read and check the file, compute nothing
+  --geometry-only         write the geometry of the cell (VTU) and its sizes,
+                          compute nothing
   --print-defaults        write a documented parameter file to the screen
   --help                  this text
   --version               versions of this program and of deal.II

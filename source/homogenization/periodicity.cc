@@ -101,7 +101,7 @@ namespace NPT
                  const IGASpace<3>               &space,
                  const MacroUnknowns             &macro,
                  const std::vector<GhostSurface> &ghosts,
-                 const std::vector<double>       &height)
+                 const std::vector<Point<3>>     &woven)
   {
     using Affine = OrbitConstraints::Affine;
     OrbitConstraints  orbits(macro.first, MacroUnknowns::n_macro);
@@ -111,19 +111,13 @@ namespace NPT
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       mode_allowed.push_back(cell.represents_mode(n));
 
-    // w_m(gY) - Q w_m(Y) per unit of each macro unknown. The height of a
-    // material point turns over with the operation.
+    // w_m(gY) - Q w_m(Y) per unit of each macro unknown.
     const auto jump = [&](const unsigned int       A,
                           const SymmetryOperation &g,
                           const unsigned int       i) {
-      Point<3> Y = space.control_points()[A];
-      Point<3> Z = g(Y);
-      if (!height.empty())
-        {
-          Y[2] = height[A];
-          Z[2] = g.Q[2] * height[A];
-        }
-      Affine affine(MacroUnknowns::n_macro, 0.);
+      const Point<3> Y = woven.empty() ? space.control_points()[A] : woven[A];
+      const Point<3> Z = g(Y);
+      Affine         affine(MacroUnknowns::n_macro, 0.);
       for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
         if (mode_allowed[n])
           affine[n] = macroscopic_displacement(n, Z)[i] -
@@ -193,8 +187,10 @@ namespace NPT
 
     if (!cell.has_two_fold_axis())
       {
-        // Pins w1 = w2 = 0 of each body's center, mean over the thickness: a
-        // weighted sum of control points, solved for its largest term.
+        // Pins w = w_m in plane of each body's center, mean over the thickness:
+        // a weighted sum of control points, solved for its largest term. (w = 0
+        // would hold bundles whose centers are apart against the macroscopic
+        // shear.)
         std::set<unsigned int> pinned;
         for (unsigned int b = 0; b < space.n_patches(); ++b)
           {
@@ -222,6 +218,7 @@ namespace NPT
                             patch.knot_vector(1).first_function(span[1]) + j,
                             k}})),
                       N[0][i] * N[1][j] / n_3);
+            const Point<3> center = patch.value(Point<3>(0.5, 0.5, 0.5));
             for (unsigned int c = 0; c < 2; ++c)
               {
                 unsigned int pivot = 0;
@@ -239,6 +236,14 @@ namespace NPT
                                           3 * weights[k].first + c,
                                           -weights[k].second /
                                             weights[pivot].second);
+                for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+                  {
+                    const double value = macroscopic_displacement(n, center)[c];
+                    if (mode_allowed[n] && std::abs(value) > 1e-14)
+                      constraints.add_entry(line,
+                                            macro.mode(n),
+                                            value / weights[pivot].second);
+                  }
               }
           }
       }

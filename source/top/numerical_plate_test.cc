@@ -57,6 +57,8 @@ namespace NPT
   {
     make_unit_cell(); // weave pattern -> fiber bundles -> NURBS patches
     setup_system();   // knot spans, extraction, contact pairs, gradients
+    if (!directory_.empty())
+      curve_writer_ = std::make_unique<CurveWriter>(directory_ + "/curves.csv");
 
     // Weave, release, load: every stage drives the macro unknowns to its
     // targets in load steps of adaptive length.
@@ -68,6 +70,94 @@ namespace NPT
         stages_done_ += 1;
       }
     finish_output();
+  }
+
+
+
+  void
+  NumericalPlateTest::preview()
+  {
+    make_unit_cell();
+    setup_system();
+
+    // Straight bundles that just touch, warp above.
+    const auto lift = [&](const FiberBundle &bundle) {
+      const double half = 0.5 * cell_->weaving_offset();
+      return bundle.family == FiberBundle::Family::warp ? half :
+             bundle.family == FiberBundle::Family::weft ? -half :
+                                                          0.;
+    };
+    Vector<double>    &u     = u_;
+    const IGASpace<3> &space = bodies_->space();
+    for (unsigned int b = 0; b < cell_->bundles().size(); ++b)
+      for (unsigned int l = 0; l < space.patch(b).n_control_points(); ++l)
+        u[3 * space.control_point(b, l) + 2] = lift(cell_->bundles()[b]);
+
+    double volume = 0;
+    for (const double integral : bodies_->integrals_of_functions(false))
+      volume += integral;
+    const bool   laminate = parameters_.cell.type == "laminate";
+    const double layer    = cell_->area() * (laminate ? 1. : 2.) *
+                         (laminate ? parameters_.cell.bundle_thickness.warp :
+                                     cell_->weaving_offset());
+    std::ostringstream text;
+    text << "Geometry only: the cell stands for " << cell_->area()
+         << " mm^2 of fabric; volume of its bundles " << volume << " mm^3, "
+         << 100 * volume / layer << " % of the layer of thickness "
+         << layer / cell_->area() << " mm.";
+    log_.line(text.str());
+    if (!directory_.empty())
+      {
+        write_vtu(
+          directory_ + "/geometry.vtu",
+          make_bundle_fields(space, bodies_->laws(), bodies_->gradients(), u));
+        // Pieces of neighboring cells whose surfaces are candidates for
+        // contact. A glide maps a straight bundle onto its translate.
+        std::vector<DeformablePart>                        parts;
+        std::vector<double>                                lifts;
+        std::vector<std::pair<unsigned int, Tensor<1, 3>>> known;
+        for (const ContactCandidates &pair : cell_->contacts())
+          for (const SurfaceImage &image : pair.primaries)
+            {
+              const Tensor<1, 3> &a      = image.operation.a;
+              bool                is_new = a.norm() > 0;
+              for (const auto &[bundle, shift] : known)
+                is_new = is_new &&
+                         (bundle != image.bundle || (shift - a).norm() > 1e-9);
+              if (!is_new)
+                continue;
+              known.emplace_back(image.bundle, a);
+              const FiberBundle &bundle = cell_->bundles()[image.bundle];
+              NURBSPatch<3>      patch  = bundle.patch;
+              patch.transform([&](const dealii::Point<3> &P) { return P + a; });
+              parts.push_back(
+                {patch,
+                 make_material<3>(parameters_.material, bundle.direction),
+                 static_cast<unsigned int>(parts.size()),
+                 "image"});
+              lifts.push_back(lift(bundle));
+            }
+        if (!parts.empty())
+          {
+            const DeformableBodies images(std::move(parts),
+                                          parameters_.mesh.basis);
+            Vector<double>         w(images.n_displacements());
+            for (unsigned int b = 0; b < lifts.size(); ++b)
+              for (unsigned int l = 0;
+                   l < images.space().patch(b).n_control_points();
+                   ++l)
+                w[3 * images.space().control_point(b, l) + 2] = lifts[b];
+            write_vtu(directory_ + "/images.vtu",
+                      make_bundle_fields(
+                        images.space(), images.laws(), images.gradients(), w));
+          }
+        log_.line("Written: " + directory_ + "/geometry.vtu" +
+                  (lifts.empty() ?
+                     "." :
+                     ", and images.vtu with the pieces of neighboring cells "
+                     "that its bundles may touch."));
+      }
+    log_.finish();
   }
 
 
@@ -141,14 +231,14 @@ namespace NPT
 
     std::vector<DeformablePart> parts;
     for (const FiberBundle &bundle : cell_->bundles())
-      parts.push_back({bundle.patch,
-                       make_material<3>(bundle.family ==
-                                            FiberBundle::Family::weft ?
-                                          parameters_.weft_material :
-                                          parameters_.material,
-                                        bundle.direction),
-                       bundle.body,
-                       "bundle " + std::to_string(parts.size())});
+      parts.push_back(
+        {bundle.patch,
+         make_material<3>(bundle.family == FiberBundle::Family::weft ?
+                            parameters_.weft_material :
+                            parameters_.material,
+                          bundle.direction),
+         bundle.body,
+         "bundle " + std::to_string(parts.size())});
     // A cell and its image under the 2-fold axis do the same work: one of them
     // is integrated, twice.
     bodies_ = std::make_unique<DeformableBodies>(
@@ -207,8 +297,9 @@ namespace NPT
                                    ghost.reference,
                                    first_dof,
                                    mirrored);
-            primaries.back().set_edge_radius(parameters_.contact.edge_radius *
-                                             parameters_.cell.bundle_thickness);
+            primaries.back().set_edge_radius(
+              parameters_.contact.edge_radius *
+              parameters_.cell.bundle_thickness.smaller());
             ghosts_.push_back(ghost);
           }
         // Pieces of one strand continue each other.
@@ -252,12 +343,8 @@ namespace NPT
           ghost.offset_sign * cell_->weaving_offset();
 
     if (!directory_.empty())
-      {
-        std::ofstream(directory_ + "/used_parameters.prm")
-          << parameters_.used_file;
-        curve_writer_ =
-          std::make_unique<CurveWriter>(directory_ + "/curves.csv");
-      }
+      std::ofstream(directory_ + "/used_parameters.prm")
+        << parameters_.used_file;
     unsigned int n_nodes = 0;
     for (const auto &contact : contacts_)
       n_nodes += contact->nodes().size();
@@ -270,6 +357,9 @@ namespace NPT
                  {"contact nodes",
                   std::to_string(n_nodes) + " (" + parameters_.contact.method +
                     ")"}});
+    if (!parameters_.reason_for_type.empty())
+      log_.line("The program chose the " + parameters_.cell.type + ", " +
+                parameters_.reason_for_type + ".");
   }
 
 
@@ -283,7 +373,7 @@ namespace NPT
     const bool         weaving = stage.type == LoadStage::Type::weave;
 
     const auto constraints =
-      make_couplings(*cell_, bodies_->space(), macro_, ghosts_, height_);
+      make_couplings(*cell_, bodies_->space(), macro_, ghosts_, woven_);
     system_.reinit(constraints, macro_.n_unknowns());
     bodies_->add_groups(system_);
     contact_couplings_.clear();
@@ -328,7 +418,7 @@ namespace NPT
     if (weaving && cell_->needs_vertical_pin())
       {
         const auto         integrals = bodies_->integrals_of_functions(true);
-        const unsigned int first = cell_->has_floating_bundles() ? 0 : 2;
+        const unsigned int first     = cell_->has_floating_bundles() ? 0 : 2;
         foundation_.assign(3 * integrals.size(), 0.);
         for (unsigned int A = 0; A < integrals.size(); ++A)
           for (unsigned int i = first; i < 3; ++i)
@@ -613,22 +703,28 @@ namespace NPT
     if (stage.type != LoadStage::Type::load && load_factor == 1.)
       {
         // Weaving has ended here: from now on bending and torsion refer to
-        // the heights of the material points in the woven state.
-        // Measured from their mean, so that they are cell-centered wherever
-        // the pin has put the cell.
-        const std::vector<double> weight =
-          bodies_->integrals_of_functions(false);
-        height_.resize(weight.size());
+        // the woven positions of the material points, without what H has
+        // stretched or sheared, and with the mid-plane at their mean height so
+        // that they are cell-centered wherever the pin has put the cell.
+        const auto weight = bodies_->integrals_of_functions(true);
+        woven_            = bodies_->space().control_points();
         double mean = 0, volume = 0;
-        for (unsigned int A = 0; A < height_.size(); ++A)
+        for (unsigned int A = 0; A < woven_.size(); ++A)
           {
-            height_[A] =
-              bodies_->space().control_points()[A][2] + u_[3 * A + 2];
-            mean += weight[A] * height_[A];
+            Tensor<1, 3> w;
+            for (unsigned int i = 0; i < 3; ++i)
+              w[i] = u_[3 * A + i];
+            for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+              w -=
+                u_[macro_.mode(n)] *
+                macroscopic_displacement(n,
+                                         bodies_->space().control_points()[A]);
+            woven_[A] += w;
+            mean += weight[A] * woven_[A][2];
             volume += weight[A];
           }
-        for (double &height : height_)
-          height -= mean / volume;
+        for (dealii::Point<3> &Z : woven_)
+          Z[2] -= mean / volume;
       }
 
     const Resultants averages = compute_averages(u_);
@@ -739,10 +835,10 @@ namespace NPT
   Resultants
   NumericalPlateTest::compute_averages(const Vector<double> &u) const
   {
-    std::vector<double> Z3 = height_;
-    if (Z3.empty())
-      for (const dealii::Point<3> &X : bodies_->space().control_points())
-        Z3.push_back(X[2]);
+    std::vector<double> Z3;
+    for (const dealii::Point<3> &Z :
+         woven_.empty() ? bodies_->space().control_points() : woven_)
+      Z3.push_back(Z[2]);
     Resultants sum;
     bodies_->for_each_point(u, [&](const auto &point) {
       sum.N += point.P * point.dV;

@@ -75,6 +75,7 @@ TEST_CASE("Help, version and defaults need no file", "[base]")
   CHECK(parse({"--help"}).action == Action::help);
   CHECK(parse({"-h"}).action == Action::help);
   CHECK(parse({"--version"}).action == Action::version);
+  CHECK(parse({"a.prm", "--geometry-only"}).action == Action::geometry);
   CHECK(parse({"--print-defaults"}).action == Action::print_defaults);
   CHECK(parse({"a.prm", "--print-defaults"}).parameter_file == "a.prm");
   // Who asks for help gets it, whatever else is wrong.

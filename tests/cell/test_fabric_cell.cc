@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <tuple>
 
 using namespace NPT;
 using dealii::Point;
@@ -37,6 +38,19 @@ namespace
     cell.blunt_tip        = 0.17;
     return cell;
   }
+
+  const std::vector<std::pair<std::string, std::string>> cells_of_weaves = {
+    {"sub-unit cell", "plain"},
+    {"two-crossing cell", "plain"},
+    {"primitive cell", "plain"},
+    {"unit cell", "plain"},
+    {"sub-unit cell", "2/2 twill"},
+    {"primitive cell", "2/2 twill"},
+    {"unit cell", "2/2 twill"},
+    {"primitive cell", "5-harness satin"},
+    {"unit cell", "5-harness satin"},
+    {"primitive cell", "ouu/uou/uuo"},
+    {"primitive cell", "oouuo/uouoo/ouoou"}};
 
   std::vector<NURBSPatch<3>>
   patches(const FabricCell &cell)
@@ -160,13 +174,15 @@ TEST_CASE("Every operation maps control points inside the cell onto control "
           "points, and the end faces onto each other",
           "[cell]")
 {
-  for (const std::string type :
-       {"sub-unit cell", "two-crossing cell", "unit cell"})
+  for (const auto &[type, weave] : cells_of_weaves)
     for (const unsigned int across : {3, 4})
       {
-        CellParameters parameters = odd_cell();
-        parameters.type           = type;
-        const FabricCell cell(parameters, small_mesh(5, across));
+        CellParameters parameters   = odd_cell();
+        parameters.type             = type;
+        parameters.weave            = weave;
+        parameters.crossing_spacing = WarpWeft(3.7, 3.3);
+        parameters.bundle_width     = WarpWeft(3.1, 2.9);
+        const FabricCell cell(parameters, small_mesh(3, across));
         const double     L         = parameters.crossing_spacing.warp;
         unsigned int     n_related = 0;
         for (const SymmetryOperation &g : cell.operations())
@@ -206,25 +222,63 @@ TEST_CASE("Each cell stands for as many crossings as its area says", "[cell]")
 {
   // A contact pair touches one crossing per strand; images add pieces of the
   // same strands only.
-  const std::vector<std::pair<std::string, std::string>> cases = {
-    {"sub-unit cell", "plain"},
-    {"two-crossing cell", "plain"},
-    {"unit cell", "plain"},
-    {"unit cell", "2/2 twill"},
-    {"unit cell", "5-harness satin"}};
-  for (const auto &[type, weave] : cases)
+  for (const auto &[type, weave] : cells_of_weaves)
     {
-      CellParameters parameters = odd_cell();
-      parameters.type           = type;
-      parameters.weave          = weave;
+      CellParameters parameters   = odd_cell();
+      parameters.type             = type;
+      parameters.weave            = weave;
+      parameters.crossing_spacing = WarpWeft(3.7, 3.3);
+      parameters.bundle_width     = WarpWeft(3.1, 2.9);
       const FabricCell cell(parameters, small_mesh(1, 1));
-      const double     L         = parameters.crossing_spacing.warp;
+      const double     L         = std::sqrt(3.7 * 3.3);
       unsigned int     crossings = 0;
       for (const ContactCandidates &pair : cell.contacts())
         for (const SurfaceImage &image : pair.primaries)
           crossings += image.period == 0;
       CHECK(crossings == Approx(cell.area() / (L * L)));
     }
+}
+
+
+
+TEST_CASE("Shifts of the table make the cell as small as the weave allows",
+          "[cell]")
+{
+  // Crossings and bundles of each cell, counted by hand on the table.
+  const std::vector<std::tuple<std::string, std::string, double, unsigned int>>
+    cases = {{"sub-unit cell", "plain", 1, 2},
+             {"two-crossing cell", "plain", 2, 2},
+             {"unit cell", "plain", 4, 4},
+             {"sub-unit cell", "2/2 twill", 2, 2},
+             {"primitive cell", "2/2 twill", 4, 2},
+             {"unit cell", "2/2 twill", 16, 8},
+             {"primitive cell", "5-harness satin", 5, 2},
+             {"unit cell", "5-harness satin", 25, 10},
+             {"primitive cell", "oouuo/uouoo/ouoou", 15, 8}};
+  for (const auto &[type, weave, crossings, n_bundles] : cases)
+    {
+      CellParameters parameters;
+      parameters.type  = type;
+      parameters.weave = weave;
+      const FabricCell cell(parameters, small_mesh(1, 1));
+      INFO(type << ", " << weave);
+      CHECK(cell.area() == Approx(25. * crossings));
+      CHECK(cell.bundles().size() == n_bundles);
+      // Bundles of the smallest cells lie on 2-fold axes: nothing floats.
+      if (n_bundles == 2)
+        CHECK_FALSE(cell.has_floating_bundles());
+    }
+  // The smallest type, by the modes of the load programme.
+  CellParameters parameters;
+  const auto smallest = [&](const std::string &weave, const unsigned int mode) {
+    parameters.weave = weave;
+    return FabricCell::smallest_type(parameters, {mode}).first;
+  };
+  CHECK(smallest("plain", 2) == "sub-unit cell");
+  CHECK(smallest("plain", 3) == "two-crossing cell");
+  CHECK(smallest("2/2 twill", 0) == "sub-unit cell");
+  CHECK(smallest("2/2 twill", 5) == "primitive cell");
+  CHECK(smallest("5-harness satin", 0) == "primitive cell");
 }
 
 

@@ -126,9 +126,13 @@ TEST_CASE("Laminates have the A, B and D of classical plate theory", "[top]")
 TEST_CASE("One, two and four crossings give the same frictional shear", "[top]")
 {
   std::vector<CurveRow> last;
-  for (const std::string type :
-       {"sub-unit cell", "two-crossing cell", "unit cell"})
-    last.push_back(run({"Cell/Type=" + type,
+  for (const std::string type : {"sub-unit cell",
+                                 "two-crossing cell",
+                                 "unit cell",
+                                 "two-crossing cell with pins"})
+    last.push_back(run({"Cell/Type=" + type.substr(0, type.find(" with")),
+                        std::string("Cell/Two-fold axis=") +
+                          (last.size() == 3 ? "false" : "true"),
                         "Mesh/Elements along=3",
                         "Mesh/Elements across=3",
                         "Mesh/Elements through=1",
@@ -141,10 +145,107 @@ TEST_CASE("One, two and four crossings give the same frictional shear", "[top]")
     {
       CHECK(last[1].n[n] == Approx(last[0].n[n]).epsilon(1e-9));
       CHECK(last[2].n[n] == Approx(last[0].n[n]).epsilon(1e-9));
+      CHECK(last[3].n[n] == Approx(last[0].n[n]).epsilon(1e-8));
     }
   CHECK(last[1].dissipation == Approx(2 * last[0].dissipation).epsilon(1e-8));
   CHECK(last[2].dissipation == Approx(4 * last[0].dissipation).epsilon(1e-8));
   CHECK(last[2].n_active == 4 * last[0].n_active);
+}
+
+
+
+TEST_CASE("Exchanging warp and weft exchanges n1 and n2 and keeps n3", "[top]")
+{
+  // Unequal bundles in every respect. The exchange is a 2-fold axis in the
+  // plane of the cell; contact nodes go with the bundle that carries them.
+  const auto last = [](const bool exchanged) {
+    const auto pair = [&](const std::string &a, const std::string &b) {
+      return exchanged ? b + ", " + a : a + ", " + b;
+    };
+    const std::string stiff = exchanged ? "Fiber bundle" : "Weft";
+    const std::string soft  = exchanged ? "Weft" : "Fiber bundle";
+    return run({"Cell/Bundle width=" + pair("4", "3.2"),
+                "Cell/Bundle thickness=" + pair("1.2", "0.9"),
+                "Cell/Crossing spacing=" + pair("5", "4"),
+                std::string("Cell/Secondary bundles=") +
+                  (exchanged ? "warp" : "weft"),
+                stiff + " material/Law=neo-Hookean",
+                stiff + " material/Young modulus=30",
+                soft + " material/Law=fiber bundle",
+                "Mesh/Elements along=3",
+                "Mesh/Elements across=3",
+                "Mesh/Elements through=1",
+                "Newton/Relative tolerance=1e-11",
+                std::string("Load programme/Stage shear/Targets=H3: 0.1, ") +
+                  (exchanged ? "H1: 0.01, H2: 0.02" : "H1: 0.02, H2: 0.01"),
+                "Load programme/Stage shear/Initial step=0.5",
+                "Load programme/Stage shear/Maximum step=0.5"})
+      .back();
+  };
+  const CurveRow a = last(false), b = last(true);
+  CHECK(a.n[0] > 1.2 * a.n[1]); // they do differ
+  CHECK(b.n[0] == Approx(a.n[1]).epsilon(1e-8));
+  CHECK(b.n[1] == Approx(a.n[0]).epsilon(1e-8));
+  CHECK(b.n[2] == Approx(a.n[2]).epsilon(1e-8));
+  CHECK(b.dissipation == Approx(a.dissipation).epsilon(1e-8));
+}
+
+
+
+TEST_CASE("A twill is the same in its glide cell and in its primitive cell",
+          "[top]")
+{
+  // Four elements along: with three the mortar functions at the end of a strand
+  // reach into the contact of the next crossing on the same side, and the cells
+  // are different discretizations.
+  const auto curve = [](const std::string &type) {
+    return run({"Cell/Weave=2/2 twill",
+                "Cell/Type=" + type,
+                "Mesh/Elements along=4",
+                "Mesh/Elements across=3",
+                "Mesh/Elements through=1",
+                "Newton/Relative tolerance=1e-10",
+                "Load programme/Stages=weave, release, still, shear",
+                "Load programme/Stage weave/Initial step=0.5",
+                "Load programme/Stage weave/Maximum step=0.5",
+                "Load programme/Stage still/Targets=H3: 0",
+                "Load programme/Stage still/Initial step=1",
+                "Load programme/Stage still/Maximum step=1",
+                "Load programme/Stage shear/Targets=H3: 0.05",
+                "Load programme/Stage shear/Initial step=1",
+                "Load programme/Stage shear/Maximum step=1"});
+  };
+  const auto glide     = curve("sub-unit cell");
+  const auto primitive = curve("primitive cell");
+  for (unsigned int n = 0; n < 3; ++n)
+    CHECK(primitive.back().n[n] == Approx(glide.back().n[n]).epsilon(1e-8));
+  CHECK(primitive.back().dissipation ==
+        Approx(2 * glide.back().dissipation).epsilon(1e-7));
+  // A glide plane turns bending moments over: the woven state has none.
+  for (unsigned int n = 3; n < 6; ++n)
+    CHECK(std::abs(primitive[primitive.size() - 2].n[n]) < 1e-9);
+}
+
+
+
+TEST_CASE("A satin weaves, releases and shears; without a glide plane it "
+          "has moments in the woven state",
+          "[top]")
+{
+  const auto curve = run({"Cell/Weave=5-harness satin",
+                          "Mesh/Elements along=3",
+                          "Mesh/Elements across=3",
+                          "Mesh/Elements through=1",
+                          "Load programme/Stage weave/Initial step=0.25",
+                          "Load programme/Stage weave/Maximum step=0.25",
+                          "Load programme/Stage shear/Targets=H3: 0.1",
+                          "Load programme/Stage shear/Initial step=0.5",
+                          "Load programme/Stage shear/Maximum step=0.5"});
+  CHECK(curve.back().H[2] == 0.1);
+  CHECK(curve.back().dissipation > 0);
+  CHECK(curve.back().n[2] > 0);
+  CHECK(std::abs(curve.back().n[3]) > 1e-2);
+  CHECK(std::abs(curve.back().n[4]) > 1e-2);
 }
 
 

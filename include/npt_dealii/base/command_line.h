@@ -18,6 +18,7 @@ namespace NPT
       help,
       version,
       validate,      ///< Read and check the parameters, then stop.
+      geometry,      ///< Write the geometry of the cell, then stop.
       print_defaults ///< Write a documented parameter file, then stop.
     };
 

@@ -39,19 +39,23 @@ namespace NPT
    * All couplings of a fabric cell: symmetry operations, pins where rigid
    * motions would remain, and ghost surfaces.
    *
-   * @param height Z3 of each control point used in the jumps of bending and
-   *   torsion [mm]; empty: the reference one.
+   * @param woven Positions of the control points in the woven state [mm], to
+   *   which the jumps of bending and torsion refer; empty: the reference ones.
+   *   A jump taken at reference positions would shear the structure by H4 times
+   *   the displacement of weaving along the bundle: the moments would then
+   *   depend on where a strand is cut into periods (by 2 % of n1 t in a coarse
+   *   twill), with woven positions they do not.
    * @return Closed constraints over macro.n_unknowns() unknowns.
    *
    * Throws std::logic_error if the mesh is not mapped onto itself by an
    * operation.
    */
   dealii::AffineConstraints<double>
-  make_couplings(const FabricCell                &cell,
-                 const IGASpace<3>               &space,
-                 const MacroUnknowns             &macro,
-                 const std::vector<GhostSurface> &ghosts,
-                 const std::vector<double>       &height = {});
+  make_couplings(const FabricCell                    &cell,
+                 const IGASpace<3>                   &space,
+                 const MacroUnknowns                 &macro,
+                 const std::vector<GhostSurface>     &ghosts,
+                 const std::vector<dealii::Point<3>> &woven = {});
 } // namespace NPT
 
 #endif

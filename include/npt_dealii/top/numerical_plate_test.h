@@ -62,6 +62,12 @@ namespace NPT
     virtual void
     run();
 
+    /// Show the cell without computing anything: sizes in the log; geometry.vtu
+    /// (straight bundles that just touch) and images.vtu (pieces of neighboring
+    /// cells that are candidates for contact) in the directory.
+    void
+    preview();
+
     /// One row per accepted step.
     const std::vector<CurveRow> &
     curve() const
@@ -133,7 +139,7 @@ namespace NPT
     std::vector<std::unique_ptr<ContactAssembler<3>>> contacts_;
     MacroUnknowns                                     macro_;
     std::vector<GhostSurface>                         ghosts_;
-    std::vector<double>                               height_;
+    std::vector<dealii::Point<3>> woven_; // positions, by control point
 
     // The system of the present stage.
     CondensedSystem                        system_;
