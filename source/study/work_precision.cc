@@ -430,25 +430,51 @@ namespace NPT
             << "  set ylabel 'relative L2 error [-]'\n";
         for (unsigned int g = 0; g < groups.size(); ++g)
           {
+            // All points and levels inside, with a margin.
+            double     cpu[2] = {1e300, 0}, errors[2] = {1e300, 0};
+            const auto widen = [](double(&range)[2], const double value) {
+              if (!(value > 0))
+                return;
+              range[0] = std::min(range[0], value);
+              range[1] = std::max(range[1], value);
+            };
+            for (const WorkPoint &point : points)
+              if (point.group == g && point.complete)
+                {
+                  widen(cpu, point.cpu);
+                  widen(errors, point.error.l2);
+                }
+            for (const double accuracy : accuracies)
+              widen(errors, accuracy);
+            widen(errors, groups[g].reference_error);
+            if (cpu[0] < cpu[1])
+              out << "  set xrange [" << 0.8 * cpu[0] << ":" << 1.25 * cpu[1]
+                  << "]\n";
+            out << "  set yrange [" << 0.6 * errors[0] << ":" << 1.6 * errors[1]
+                << "]\n";
+
             out << "  set title "
                 << gnuplot_text(groups[g].name + ", " + groups[g].quantity)
                 << " noenhanced\n  unset arrow\n  unset label\n";
             const auto level = [&](const double       value,
                                    const std::string &text,
+                                   const std::string &place,
                                    const std::string &style) {
               out << "  set arrow from graph 0, first " << value
                   << " to graph 1, first " << value << " nohead back " << style
-                  << "\n  set label " << gnuplot_text(text)
-                  << " at graph 0.99, first " << value
+                  << "\n  set label " << gnuplot_text(text) << " at graph "
+                  << place << ", first " << value
                   << " right offset 0,0.4 font ',9' noenhanced\n";
             };
             for (const double accuracy : accuracies)
               level(accuracy,
                     percent(accuracy),
+                    "0.99",
                     "linecolor rgb '#888888' dashtype 2");
             if (groups[g].reference_error > 0)
               level(groups[g].reference_error,
                     "difference of the two finest",
+                    "0.85",
                     "linecolor rgb '#bb0000' dashtype 3");
             out << "  plot 'pareto_front.csv' using (column('group') == " << g
                 << " ? column('cpu_seconds') : NaN):(column('error')) with "
