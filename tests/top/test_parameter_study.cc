@@ -213,3 +213,33 @@ TEST_CASE("A study runs its cases, survives a failed one, goes on where it was "
   CHECK(second.status == 0);
   CHECK_THAT(second.out, Catch::Contains("6 cases, 2 to run"));
 }
+
+
+
+TEST_CASE("Processes of MPI share the cases of a study", "[top][.slow]")
+{
+  const fs::path work = fresh_folder("study_mpi");
+  std::ofstream(work / "study.prm")
+    << problem << "subsection Study\n set Base = " << NPT_SOURCE_DIR
+    << "/prm/shear.prm\nend\n"
+       "subsection Mesh\n set Elements along = 3\n set Elements across = 3\n"
+       " set Elements through = 1\nend\n"
+       "subsection Cell\n set Weaving depth = {0.4 | 0.5 | 0.6 | 0.7}\nend\n"
+       "subsection Load programme\n subsection Stage shear\n"
+       "  set Targets = H3: 0.02\n  set Initial step = 0.5\n"
+       "  set Maximum step = 0.5\n end\nend\n";
+  const std::string command =
+    "cd '" + work.string() +
+    "' && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n "
+    "2 --oversubscribe '" NPT_PROGRAM "' study.prm > out.txt 2> err.txt";
+  const int         status = std::system(command.c_str());
+  const std::string out    = read_text(work / "out.txt");
+  INFO(out + read_text(work / "err.txt"));
+  REQUIRE(status == 0);
+  CHECK_THAT(out, Catch::Contains("4 cases, 4 to run, 2 processes with 1"));
+  const Table table = read_table((work / "output-study/cases.csv").string());
+  CHECK(table.text_column("status") == std::vector<std::string>(4, "done"));
+  // Every case was run once: each has its line.
+  for (const std::string &name : table.text_column("case"))
+    CHECK(out.find(name + "  done") == out.rfind(name + "  done"));
+}
