@@ -412,6 +412,9 @@ namespace NPT
         }
     }
 
+    std::size_t longest = 0;
+    for (const std::string &name : series)
+      longest = std::max(longest, name.size());
     const unsigned int n_columns = std::min<std::size_t>(groups.size(), 2),
                        n_rows    = (groups.size() + n_columns - 1) / n_columns;
     return draw_picture(
@@ -421,11 +424,12 @@ namespace NPT
       n_rows,
       n_columns,
       n_columns == 1 ? 760 : 620,
-      420 + 14 * static_cast<unsigned int>(series.size()),
+      420 + 18 * static_cast<unsigned int>(series.size()),
       [&](std::ostream &out) {
         out << "  set logscale xy\n  set format '%g'\n"
             << "  set format y '10^{%T}'\n"
-            << "  set key below maxcols 2 reverse Left samplen 1 noenhanced\n"
+            << "  set key below maxcols " << (longest > 30 ? 1 : 2)
+            << " reverse Left samplen 1 noenhanced font ',10'\n"
             << "  set xlabel 'CPU time [s]'\n"
             << "  set ylabel 'relative L2 error [-]'\n";
         for (unsigned int g = 0; g < groups.size(); ++g)

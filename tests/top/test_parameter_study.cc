@@ -230,7 +230,8 @@ TEST_CASE("Processes of MPI share the cases of a study", "[top][.slow]")
        "  set Maximum step = 0.5\n end\nend\n";
   const std::string command =
     "cd '" + work.string() +
-    "' && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n "
+    "' && env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 "
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n "
     "2 --oversubscribe '" NPT_PROGRAM "' study.prm > out.txt 2> err.txt";
   const int         status = std::system(command.c_str());
   const std::string out    = read_text(work / "out.txt");
