@@ -13,6 +13,7 @@
 #include <npt_dealii/top/numerical_plate_test.h>
 #include <npt_dealii/top/parameter_study.h>
 #include <npt_dealii/top/parameters.h>
+#include <npt_dealii/top/solid_benchmark.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -178,16 +179,29 @@ namespace
                                                   parameters.directory),
                             std::cout);
       }
+    else if (problem == "solid benchmark")
+      {
+        const auto parameters =
+          SolidBenchmarkParameters::read(text, command.overrides);
+        if (done_with_parameters(command, parameters))
+          return 0;
+        SolidBenchmark benchmark(parameters,
+                                 make_output_directory(command,
+                                                       parameters.directory),
+                                 std::cout);
+        benchmark.run();
+      }
     else
-      throw InputError("Problem is '" + problem +
-                       "'; it must be plate test, material test, "
-                       "identification, parameter study or contact benchmark" +
-                       did_you_mean(problem,
-                                    {"plate test",
-                                     "material test",
-                                     "identification",
-                                     "parameter study",
-                                     "contact benchmark"}));
+      {
+        std::string names;
+        for (const std::string &name : problem_names())
+          names += (names.empty()                  ? "" :
+                    name == problem_names().back() ? " or " :
+                                                     ", ") +
+                   name;
+        throw InputError("Problem is '" + problem + "'; it must be " + names +
+                         did_you_mean(problem, problem_names()));
+      }
     return 0;
   }
 } // namespace

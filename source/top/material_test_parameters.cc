@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/top/material_test_parameters.h>
+#include <npt_dealii/top/parameters.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -74,20 +75,6 @@ namespace NPT
                              "H at 0" +
                              place);
         }
-    }
-
-    void
-    declare_problem(dealii::ParameterHandler &prm, const std::string &problem)
-    {
-      prm.declare_entry("Problem",
-                        problem,
-                        Patterns::Selection("plate test|material test|"
-                                            "identification|parameter study"),
-                        "What the program does: numerical plate testing of a "
-                        "woven cell, numerical material testing of a micro "
-                        "cell of fibers and matrix, identification of a "
-                        "bundle law from test data, or a study of many plate "
-                        "tests.");
     }
 
     // A constituent: the entries of any material, neo-Hookean by default.

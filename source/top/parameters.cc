@@ -14,6 +14,39 @@ namespace NPT
 {
   namespace Patterns = dealii::Patterns;
 
+  const std::vector<std::string> &
+  problem_names()
+  {
+    static const std::vector<std::string> names = {"plate test",
+                                                   "material test",
+                                                   "identification",
+                                                   "parameter study",
+                                                   "solid benchmark",
+                                                   "contact benchmark"};
+    return names;
+  }
+
+
+
+  void
+  declare_problem(dealii::ParameterHandler &prm, const std::string &problem)
+  {
+    std::string names;
+    for (const std::string &name : problem_names())
+      names += (names.empty() ? "" : "|") + name;
+    prm.declare_entry("Problem",
+                      problem,
+                      Patterns::Selection(names),
+                      "What the program does: numerical plate testing of a "
+                      "woven cell, numerical material testing of a micro cell "
+                      "of fibers and matrix, identification of a bundle law "
+                      "from test data, a study of many plate tests, or a "
+                      "comparison of solids or of contact with exact "
+                      "solutions.");
+  }
+
+
+
   void
   OutputParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
@@ -89,15 +122,7 @@ namespace NPT
     declare_all(dealii::ParameterHandler       &prm,
                 const std::vector<std::string> &stages)
     {
-      prm.declare_entry("Problem",
-                        "plate test",
-                        Patterns::Selection("plate test|material test|"
-                                            "identification|parameter study"),
-                        "What the program does: numerical plate testing of a "
-                        "woven cell, numerical material testing of a micro "
-                        "cell of fibers and matrix, identification of a "
-                        "bundle law from test data, or a study of many plate "
-                        "tests.");
+      declare_problem(prm, "plate test");
       CellParameters::declare_parameters(prm);
       MeshParameters::declare_parameters(prm);
       MaterialParameters::declare_parameters(prm);

@@ -15,8 +15,19 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <string>
+#include <vector>
+
 namespace NPT
 {
+  /// Values of the entry "Problem", the first being the default.
+  const std::vector<std::string> &
+  problem_names();
+
+  /// Declare the entry "Problem", which every parameter file has.
+  void
+  declare_problem(dealii::ParameterHandler &prm, const std::string &problem);
+
   /// Subsection "Output".
   struct OutputParameters
   {
