@@ -37,12 +37,7 @@ namespace NPT
     void
     declare_study(dealii::ParameterHandler &prm)
     {
-      prm.declare_entry("Problem",
-                        "parameter study",
-                        Patterns::Selection("plate test|material test|"
-                                            "identification|parameter study"),
-                        "A parameter study runs plate tests for all "
-                        "combinations of the values in braces.");
+      declare_problem(prm, "parameter study");
       prm.enter_subsection("Study");
       prm.declare_entry(
         "Kind",
