@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Claims about the assembly of deformable bodies.
 
-#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/material/make_material.h>
 #include <npt_dealii/top/benchmark_bodies.h>
 #include <npt_dealii/top/deformable_bodies.h>
@@ -30,7 +29,8 @@ namespace
                      make_material<3>(material, Point<3>::unit_vector(2)),
                      0,
                      "the tube"});
-    return DeformableBodies(std::move(parts), Basis::NURBS, 4, multiplicity);
+    // Rational integrands: four points leave 4e-9 of the volume.
+    return DeformableBodies(std::move(parts), Basis::NURBS, 6, multiplicity);
   }
 
   Vector<double>
