@@ -193,22 +193,22 @@ TEST_CASE("Cylinder and sphere converge at the rates of theory in all bases",
   // Meshes that are as coarse as 0.1 allows; smooth splines of higher degree
   // need the finer ones of prm/verification.
   std::ostringstream screen;
-  auto               smooth =
-    make_benchmark("cylinder.prm",
-                   {"Benchmark/Degrees=2", "Benchmark/Elements=4, 8"},
-                   screen);
-  CHECK_NOTHROW(smooth.run());
-  CHECK(smooth.rates().size() == 6);
-  auto c0 = make_benchmark("cylinder_c0.prm",
-                           {"Benchmark/Degrees=3", "Benchmark/Elements=4, 8"},
-                           screen);
-  CHECK_NOTHROW(c0.run());
-  auto sphere = make_benchmark("sphere_c0.prm",
-                               {"Benchmark/Bases=NURBS, Bernstein",
-                                "Benchmark/Degrees=2",
-                                "Benchmark/Elements=4, 6"},
-                               screen);
-  CHECK_NOTHROW(sphere.run());
+  const auto         run = [&](const std::string              &file,
+                       const std::vector<std::string> &overrides) {
+    auto benchmark = make_benchmark(file, overrides, screen);
+    CHECK_NOTHROW(benchmark.run());
+    return benchmark.rates().size();
+  };
+  CHECK(run("cylinder.prm",
+            {"Benchmark/Bases=NURBS, Bernstein, Lagrange",
+             "Benchmark/Degrees=2",
+             "Benchmark/Elements=4, 8"}) == 6);
+  CHECK(run("cylinder_c0.prm",
+            {"Benchmark/Degrees=3", "Benchmark/Elements=4, 8"}) == 4);
+  CHECK(run("sphere_c0.prm",
+            {"Benchmark/Bases=NURBS, Bernstein",
+             "Benchmark/Degrees=2",
+             "Benchmark/Elements=4, 6"}) == 4);
 }
 
 
@@ -217,8 +217,8 @@ TEST_CASE("The plate with a hole converges at the rates of theory", "[top]")
 {
   std::ostringstream screen;
   auto               plate = make_benchmark("plate_with_hole.prm",
-                              {"Benchmark/Bases=Bernstein, Lagrange",
-                                             "Benchmark/Degrees=2, 3",
+                              {"Benchmark/Bases=Bernstein",
+                                             "Benchmark/Degrees=3",
                                              "Benchmark/Elements=8, 12"},
                               screen);
   CHECK_NOTHROW(plate.run());
@@ -294,11 +294,6 @@ TEST_CASE("Unusable benchmarks are refused with one sentence", "[top]")
              Catch::Contains("Degrees names 2 twice"));
   CHECK_THAT(message({"Material/Law=fiber bundle"}),
              Catch::Contains("the one of the neo-Hookean law"));
-  CHECK_THAT(message({"Benchmark/Case=block",
-                      "Benchmark/Degrees=4",
-                      "Benchmark/Elements=4",
-                      "Homogeneous states/Distortion=0.49"}),
-             Catch::Contains("Distortion is 0.49, which folds the mesh"));
 }
 
 
