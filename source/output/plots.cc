@@ -96,6 +96,19 @@ namespace NPT
       return highest - lowest;
     }
 
+    // 1, 2 or 5 times a power of ten, about five in the range.
+    double
+    distance_of_tics(const double range)
+    {
+      if (!(range > 0.))
+        return 0.;
+      const double power = std::pow(10., std::floor(std::log10(range / 5.)));
+      for (const double factor : {1., 2., 5.})
+        if (factor * power >= range / 6.)
+          return factor * power;
+      return 10. * power;
+    }
+
     void
     write_panel(std::ostream &out, const PlotSpec &plot)
     {
@@ -108,6 +121,10 @@ namespace NPT
           << "\n  set ylabel "
           << quote_for_gnuplot(axis_label(plot.y_label, plot.y_columns))
           << '\n';
+      if (plot.x_tics > 0.)
+        out << "  set xtics " << plot.x_tics << '\n';
+      else
+        out << "  set xtics autofreq\n";
       if (plot.y2_columns.empty())
         out << "  set border 3; unset y2tics; unset y2label; set ytics "
                "nomirror\n";
@@ -123,11 +140,14 @@ namespace NPT
       const char  *separator = "  plot \\\n";
       const auto   draw = [&](const std::string &column, const bool second) {
         curve_column_unit(column);
-        const std::string value = plot.stage.empty() ?
-                                      "(column('" + column + "'))" :
-                                      "(strcol('stage') eq " +
-                                      quote_for_gnuplot(plot.stage) +
-                                      " ? column('" + column + "') : NaN)";
+        std::string condition;
+        for (const std::string &stage : plot.stages)
+          condition += (condition.empty() ? "" : " || ") +
+                       ("strcol('stage') eq " + quote_for_gnuplot(stage));
+        const std::string value =
+          condition.empty() ?
+              "(column('" + column + "'))" :
+              "(" + condition + " ? column('" + column + "') : NaN)";
         out << separator << "    curves using (column('" << plot.x_column
             << "')):" << value << (second ? " axes x1y2" : "")
             << " with linespoints linestyle " << style++
@@ -183,7 +203,14 @@ namespace NPT
   std::vector<PlotSpec>
   default_plots(const std::vector<CurveRow> &rows)
   {
-    std::vector<PlotSpec> plots;
+    // Stages with their driving component; neighbors with the same one join.
+    struct Group
+    {
+      std::vector<std::string> stages;
+      std::vector<CurveRow>    rows;
+      unsigned int             component;
+    };
+    std::vector<Group> groups;
     for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end)
       {
         while (end < rows.size() && rows[end].stage == rows[begin].stage)
@@ -192,11 +219,25 @@ namespace NPT
                                           rows.begin() + end);
         if (stage.size() < 2)
           continue;
-
         const unsigned int component = driving_component(stage);
-        PlotSpec           response;
-        response.stage = stage[0].stage;
-        response.title = stage[0].stage;
+        if (groups.empty() || component == 6 ||
+            groups.back().component != component)
+          groups.push_back({{}, {}, component});
+        groups.back().stages.push_back(stage[0].stage);
+        groups.back().rows.insert(groups.back().rows.end(),
+                                  stage.begin(),
+                                  stage.end());
+      }
+
+    std::vector<PlotSpec> plots;
+    for (const Group &group : groups)
+      {
+        const std::vector<CurveRow> &stage     = group.rows;
+        const unsigned int           component = group.component;
+        PlotSpec                     response;
+        response.stages = group.stages;
+        for (const std::string &name : group.stages)
+          response.title += (response.title.empty() ? "" : ", ") + name;
         if (component < 6)
           {
             const std::string number = std::to_string(component + 1);
@@ -208,18 +249,25 @@ namespace NPT
             response.x_column  = "load_factor";
             response.y_columns = {"stored_energy"};
           }
+        response.x_tics = distance_of_tics(range_of(stage, response.x_column));
         plots.push_back(response);
 
         PlotSpec meanwhile = response;
         meanwhile.y_columns.clear();
-        bool contact = false;
+        bool contact = false, friction = false;
         for (const CurveRow &row : stage)
-          contact = contact || row.n_active > 0;
+          {
+            contact  = contact || row.n_active > 0;
+            friction = friction || row.n_stick + row.n_slip > 0;
+          }
         if (contact)
           {
             meanwhile.title += ": contact";
-            meanwhile.y_columns = {"n_stick", "n_slip"};
-            meanwhile.y_label   = "contact points";
+            if (friction)
+              meanwhile.y_columns = {"n_stick", "n_slip"};
+            else
+              meanwhile.y_columns = {"n_active"};
+            meanwhile.y_label = "contact points";
             if (range_of(stage, "dissipation") > 0.)
               meanwhile.y2_columns = {"dissipation"};
           }

@@ -28,8 +28,11 @@ namespace NPT
     std::vector<std::string> y2_columns;
     std::string              y2_label;
 
-    /// Only the rows of this stage; empty for the whole run.
-    std::string stage;
+    /// Only the rows of these stages; empty for the whole run.
+    std::vector<std::string> stages;
+
+    /// Distance of the tics of the abscissa; 0 leaves it to gnuplot.
+    double x_tics = 0.;
   };
 
   /// Name and unit of a column in gnuplot's enhanced text, "shear H_3 [-]".
@@ -46,11 +49,12 @@ namespace NPT
   driving_component(const std::vector<CurveRow> &rows);
 
   /**
-   * Choose two panels per stage: the driving component against its conjugate,
-   * and what happens meanwhile: sticking and sliding contact points with the
-   * dissipation, or without contact the normal resultants n1 and n2. A stage
-   * in which no H changes is drawn over its load factor. Stages with fewer
-   * than two rows are left out.
+   * Choose two panels per stage (stages in a row that drive the same component
+   * share theirs, so that a cycle shows as a loop): the driving component
+   * against its conjugate, and what happens meanwhile: sticking and sliding
+   * contact points with the dissipation, or without contact the normal
+   * resultants n1 and n2. A stage in which no H changes is drawn over its load
+   * factor. Stages with fewer than two rows are left out.
    */
   std::vector<PlotSpec>
   default_plots(const std::vector<CurveRow> &rows);
