@@ -69,6 +69,13 @@ namespace NPT
                         "Let bundles touch the continuation of bundles in "
                         "neighboring cells, Eq. (49); needed when large shear "
                         "carries the contact zone over the edge of the cell.");
+      prm.declare_entry(
+        "Side contact",
+        "automatic",
+        Patterns::Selection("automatic|on|off"),
+        "Contact between the edges of parallel neighbors, which jam at large "
+        "shear (locking). automatic: on if the shear of the load programme "
+        "brings them nearer than a tenth of the width.");
       prm.declare_entry("Secondary bundles",
                         "weft",
                         Patterns::Selection("warp|weft"),
@@ -140,10 +147,14 @@ namespace NPT
   CellParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Cell");
-    type   = prm.get("Type");
-    weave  = prm.get("Weave");
-    images = prm.get_bool("Images");
-    plies  = dealii::Utilities::string_to_double(
+    type                   = prm.get("Type");
+    weave                  = prm.get("Weave");
+    images                 = prm.get_bool("Images");
+    const std::string side = prm.get("Side contact");
+    side_contact           = side == "on"  ? SideContact::on :
+                             side == "off" ? SideContact::off :
+                                             SideContact::automatic;
+    plies                  = dealii::Utilities::string_to_double(
       dealii::Utilities::split_string_list(prm.get("Plies"), ','));
     crossing_spacing = get_pair(prm, "Crossing spacing");
     bundle_width     = get_pair(prm, "Bundle width");

@@ -165,6 +165,8 @@ namespace NPT
     add_strands(weave, mesh);
     add_operations();
     add_contacts(weave);
+    if (parameters_.side_contact == CellParameters::SideContact::on)
+      add_side_contacts();
   }
 
 
@@ -478,6 +480,54 @@ namespace NPT
         for (ContactCandidates &pair : pairs)
           if (!pair.primaries.empty())
             contacts_.push_back(pair);
+      }
+  }
+
+
+
+  void
+  FabricCell::add_side_contacts()
+  {
+    // The edge at the end of the direction across of every bundle against the
+    // other edge of the next parallel strand. The edge at the begin needs no
+    // pair of its own: a shift of the cell makes it the primary side here. Each
+    // bundle counts once, since the 2-fold axis exchanges the roles.
+    for (unsigned int s = 0; s < bundles_.size(); ++s)
+      {
+        const bool   warp     = bundles_[s].family == FiberBundle::Family::warp;
+        const int    along    = warp ? 0 : 1;
+        const int    across   = 1 - along;
+        const double across_L = warp ? L2_ : L1_;
+        const double along_L  = warp ? L1_ : L2_;
+        // The weft is the warp turned by +90 degrees: its direction across
+        // points to -Y1.
+        const double position =
+          strands_[s].position + (warp ? across_L : -across_L);
+        const double begin = strands_[s].begin, length = strands_[s].length;
+        ContactCandidates pair{s, 1, {}, 1};
+        for (unsigned int b = 0; b < bundles_.size(); ++b)
+          for (const SymmetryOperation &g : lattice_)
+            {
+              const double other_begin = strands_[b].begin + g.a[along];
+              if (bundles_[b].family != bundles_[s].family ||
+                  std::abs(strands_[b].position + g.a[across] - position) >
+                    1e-6 * across_L ||
+                  other_begin > begin + length + 0.9 * along_L ||
+                  other_begin + strands_[b].length < begin - 0.9 * along_L)
+                continue;
+              SurfaceImage image;
+              image.bundle      = b;
+              image.side        = 0;
+              image.direction   = 1;
+              image.operation   = g;
+              image.offset_sign = 0.;
+              image.strand      = 0;
+              image.period =
+                std::lround((other_begin - begin) / strands_[b].length);
+              pair.primaries.push_back(image);
+            }
+        if (!pair.primaries.empty())
+          contacts_.push_back(pair);
       }
   }
 

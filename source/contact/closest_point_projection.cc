@@ -254,10 +254,11 @@ namespace NPT
                 c.free[k] = free[k];
                 // Where another piece of the strand continues the surface,
                 // its end is not a boundary of the body.
-                if (!free[k] && ((u[k] <= domain[k].first &&
-                                  !(k == 0 && surface.neighbor(0) >= 0)) ||
-                                 (u[k] >= domain[k].second &&
-                                  !(k == 0 && surface.neighbor(1) >= 0))))
+                if (!free[k] &&
+                    ((u[k] <= domain[k].first &&
+                      !(k == surface.along() && surface.neighbor(0) >= 0)) ||
+                     (u[k] >= domain[k].second &&
+                      !(k == surface.along() && surface.neighbor(1) >= 0))))
                   c.on_boundary = true;
               }
             break;

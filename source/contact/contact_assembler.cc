@@ -133,6 +133,7 @@ namespace NPT
       }
     multiplier_          = history_.multiplier;
     traction_multiplier_ = history_.traction;
+    penalty_scale_       = 1.;
     if (friction_on_ && !by_closest_point_)
       set_slip_references(positions);
   }
@@ -262,17 +263,19 @@ namespace NPT
     closest.surface = s;
 
     // At the end of a piece its neighbor on the strand may be closer.
-    if (!closest.free[0])
+    const int along = primaries_[s].along();
+    if (!closest.free[along])
       {
-        const auto &breaks = primaries_[s].surface().knot_vector(0).breaks();
-        const unsigned int side = closest.u[0] >= breaks.back() ? 1 : 0;
+        const auto &breaks =
+          primaries_[s].surface().knot_vector(along).breaks();
+        const unsigned int side = closest.u[along] >= breaks.back() ? 1 : 0;
         const int          next = primaries_[s].neighbor(side);
-        if (next >= 0 && (side == 1 || closest.u[0] <= breaks.front()))
+        if (next >= 0 && (side == 1 || closest.u[along] <= breaks.front()))
           {
             const auto &next_breaks =
-              primaries_[next].surface().knot_vector(0).breaks();
+              primaries_[next].surface().knot_vector(along).breaks();
             std::array<double, m> u = closest.u;
-            u[0] = side == 1 ? next_breaks.front() : next_breaks.back();
+            u[along] = side == 1 ? next_breaks.front() : next_breaks.back();
             ClosestPoint<dim> other;
             project(primaries_[next],
                     primary_positions_[next],
@@ -316,7 +319,9 @@ namespace NPT
       }
 
     // What do the laws answer?
-    const NormalLaw normal_law{contact_.normal_penalty};
+    const NormalLaw      normal_law{penalty_scale_ * contact_.normal_penalty};
+    const FrictionLaw<m> friction_law{friction_law_.coefficient,
+                                      penalty_scale_ * friction_law_.penalty};
     point_pressure_.assign(points_.size(), 0.);
     point_traction_.assign(points_.size(), std::array<double, m>{});
     point_loaded_.assign(points_.size(), false);
@@ -346,10 +351,10 @@ namespace NPT
                                  slip_points_[entry.point].sigma[a];
             // The law in its dual form: sigma_a and t^a instead of xi^a and
             // t_a, with the inverse metric in the place of the metric.
-            state.friction = friction_law_(traction_multiplier_[I],
-                                           state.slip,
-                                           inverse_metric_[I],
-                                           -state.pressure);
+            state.friction = friction_law(traction_multiplier_[I],
+                                          state.slip,
+                                          inverse_metric_[I],
+                                          -state.pressure);
             state.slipping = state.friction.slipping;
           }
         else if (friction_on_)
@@ -374,12 +379,13 @@ namespace NPT
                   continue;
                 for (int a = 0; a < m; ++a)
                   state.slip[a] += entry.weight * (c.u[a] - reference.u[a]);
-                state.slip[0] += entry.weight * (to.shift() - from.shift());
+                state.slip[to.along()] +=
+                  entry.weight * (to.shift() - from.shift());
               }
-            state.friction = friction_law_(traction_multiplier_[I],
-                                           state.slip,
-                                           metric,
-                                           -state.pressure);
+            state.friction = friction_law(traction_multiplier_[I],
+                                          state.slip,
+                                          metric,
+                                          -state.pressure);
             state.slipping = state.friction.slipping;
           }
 
@@ -895,8 +901,9 @@ namespace NPT
 
   template <int dim>
   void
-  ContactAssembler<dim>::augment()
+  ContactAssembler<dim>::augment(const double growth)
   {
+    penalty_scale_ *= growth;
     for (unsigned int I = 0; I < nodes_.size(); ++I)
       {
         multiplier_[I]          = nodes_[I].pressure;

@@ -141,6 +141,7 @@ namespace NPT
   BezierMesh
   make_contact_fields(const IGASpace<3>         &space,
                       const unsigned int         patch,
+                      const unsigned int         direction,
                       const unsigned int         side,
                       const ContactAssembler<3> &contact,
                       const Vector<double>      &u)
@@ -192,12 +193,13 @@ namespace NPT
     mesh.dim = 2;
     for (const Column &column : columns)
       mesh.point_data.push_back({column.name, column.n_components, {}});
-    const unsigned int n_through = space.patch(patch).knot_vector(2).n_spans();
+    const unsigned int n_layers =
+      space.patch(patch).knot_vector(direction).n_spans();
     for (unsigned int c = 0; c < space.cells().size(); ++c)
       {
         const auto &cell = space.cells()[c];
         if (cell.patch != patch ||
-            cell.span[2] != (side == 0 ? 0 : n_through - 1))
+            cell.span[direction] != (side == 0 ? 0 : n_layers - 1))
           continue;
         const unsigned int               p = space.degree(patch);
         const auto                       A = space.control_points_of_cell(c);
@@ -217,9 +219,17 @@ namespace NPT
         std::vector<double> weights;
         const auto bezier = space.bezier_coefficients(c, coefficients, weights);
         std::vector<unsigned int> face;
-        const unsigned int        n_face = (p + 1) * (p + 1);
-        for (unsigned int b = 0; b < n_face; ++b)
-          face.push_back(b + (side == 0 ? 0 : p * n_face));
+        const unsigned int        fixed = side == 0 ? 0 : p;
+        // The first coordinate runs fastest.
+        for (unsigned int k = 0; k <= (direction == 2 ? 0 : p); ++k)
+          for (unsigned int j = 0; j <= (direction == 1 ? 0 : p); ++j)
+            for (unsigned int i = 0; i <= (direction == 0 ? 0 : p); ++i)
+              {
+                std::array<unsigned int, 3> index = {{i, j, k}};
+                index[direction]                  = fixed;
+                face.push_back(index[0] +
+                               (p + 1) * (index[1] + (p + 1) * index[2]));
+              }
         append_points(bezier, weights, columns, face, mesh);
         mesh.degrees.push_back({{p, p, 1}});
       }

@@ -259,14 +259,16 @@ namespace NPT
     TimerOutput::Scope timer(timer_, "Set up");
 
     // Surfaces that may touch: faces of base bundles against images.
-    std::map<std::pair<unsigned int, unsigned int>, const IGASurface<3> *>
-               faces;
-    const auto face = [&](const unsigned int bundle, const unsigned int side) {
-      const IGASurface<3> *&surface = faces[{bundle, side}];
+    std::map<std::array<unsigned int, 3>, const IGASurface<3> *> faces;
+
+    const auto face = [&](const unsigned int bundle,
+                          const unsigned int direction,
+                          const unsigned int side) {
+      const IGASurface<3> *&surface = faces[{{bundle, direction, side}}];
       if (surface == nullptr)
         {
-          surfaces_.push_back(
-            std::make_unique<IGASurface<3>>(bodies_->space(), bundle, 2, side));
+          surfaces_.push_back(std::make_unique<IGASurface<3>>(
+            bodies_->space(), bundle, direction, side));
           surface = surfaces_.back().get();
         }
       return surface;
@@ -276,8 +278,9 @@ namespace NPT
         std::vector<ContactSurface<3>> primaries;
         for (const SurfaceImage &image : pair.primaries)
           {
-            const IGASurface<3> &surface = *face(image.bundle, image.side);
-            GhostSurface         ghost;
+            const IGASurface<3> &surface =
+              *face(image.bundle, image.direction, image.side);
+            GhostSurface ghost;
             ghost.operation     = image.operation;
             ghost.offset_sign   = image.offset_sign;
             ghost.first_unknown = macro_.n_unknowns();
@@ -318,18 +321,29 @@ namespace NPT
             primaries[i].set_strand(image.strand,
                                     image.period,
                                     neighbors[0],
-                                    neighbors[1]);
+                                    neighbors[1],
+                                    image.direction == 2 ? 0 : 1);
           }
+        // The edges of crimped neighbors cross like scissors and touch over a
+        // fraction of an element: averages over control points would see that
+        // only when they are deep in each other, Gauss points see it at once.
+        ContactParameters contact_parameters = parameters_.contact;
+        if (pair.direction != 2)
+          contact_parameters.method = "KTS";
         contacts_.push_back(std::make_unique<ContactAssembler<3>>(
-          ContactSurface<3>(*face(pair.secondary_bundle, pair.secondary_side)),
+          ContactSurface<3>(
+            *face(pair.secondary_bundle, pair.direction, pair.secondary_side)),
           primaries,
-          parameters_.contact,
+          contact_parameters,
           parameters_.friction,
           parameters_.contact.maximum_penetration *
             parameters_.cell.bundle_thickness.smaller(),
-          [&](const dealii::Point<3> &X) {
-            return cell_->multiplicity(pair.secondary_bundle, X);
-          }));
+          // Side contact is counted once per bundle, see FabricCell.
+          pair.direction == 2 ?
+            [&](const dealii::Point<3> &X) {
+              return cell_->multiplicity(pair.secondary_bundle, X);
+            } :
+            ContactAssembler<3>::Multiplicity()));
       }
     linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
 
@@ -608,7 +622,9 @@ namespace NPT
   void
   NumericalPlateTest::augment(const NewtonProblem &problem, Vector<double> &x)
   {
-    const ContactParameters &contact = parameters_.contact;
+    const ContactParameters &contact       = parameters_.contact;
+    double                   previous_gap  = std::numeric_limits<double>::max();
+    double                   previous_slip = previous_gap;
     for (unsigned int k = 0;; ++k)
       {
         double gap = 0, slip = 0;
@@ -629,8 +645,17 @@ namespace NPT
                    << " augmentations. A larger penalty takes fewer of them.";
             throw NewtonNotConverged("augmentation limit", detail.str());
           }
+        // A penalty that is small against the stiffness of the bundles gains
+        // little per repetition: let it grow for the rest of the step.
+        const double growth =
+          (gap > contact.penetration_tolerance && gap > 0.25 * previous_gap) ||
+              (slip > contact.stick_tolerance && slip > 0.25 * previous_slip) ?
+            4. :
+            1.;
+        previous_gap  = gap;
+        previous_slip = slip;
         for (const auto &assembler : contacts_)
-          assembler->augment();
+          assembler->augment(growth);
         const NewtonReport report =
           solve_newton(parameters_.newton, problem, x);
         // The order is that of the first solution, the effort that of all.
@@ -877,6 +902,7 @@ namespace NPT
         write_vtu(directory_ + "/" + name,
                   make_contact_fields(bodies_->space(),
                                       pair.secondary_bundle,
+                                      pair.direction,
                                       pair.secondary_side,
                                       *contacts_[k],
                                       u_));

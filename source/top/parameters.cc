@@ -7,6 +7,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <tuple>
 
@@ -136,6 +138,33 @@ namespace NPT
       OutputParameters::declare_parameters(prm);
     }
 
+    // Whether the programme shears so far that the edges of parallel
+    // neighbors come near each other. In shear H3 the lines of a family turn by
+    // H3/2, and their distance falls to spacing (1 - H3^2/4) / (1 +
+    // H3^2/4)^1/2.
+    bool
+    neighbors_may_touch(const Parameters &parameters)
+    {
+      double shear = 0;
+      for (const LoadStage &stage : parameters.load_programme.stages)
+        {
+          for (const auto &target : stage.H_targets)
+            if (target.first == 2)
+              shear = std::max(shear, std::abs(target.second));
+          // How far a force shears is not known in advance.
+          for (const auto &target : stage.n_targets)
+            if (target.first == 2 && target.second != 0.)
+              shear = 2.;
+        }
+      const double h      = 0.25 * shear * shear;
+      const double factor = (1. - h) / std::sqrt(1. + h);
+      const auto  &cell   = parameters.cell;
+      // The width of a family against the spacing of its bundles.
+      return factor * cell.crossing_spacing.warp <
+               1.1 * cell.bundle_width.warp ||
+             factor * cell.crossing_spacing.weft < 1.1 * cell.bundle_width.weft;
+    }
+
     // A mode that the cell's symmetry forbids would give wrong numbers without
     // any sign of error, so it is refused here.
     void
@@ -211,6 +240,10 @@ namespace NPT
         std::tie(parameters.cell.type, parameters.reason_for_type) =
           FabricCell::smallest_type(parameters.cell, modes);
       }
+    if (parameters.cell.side_contact == CellParameters::SideContact::automatic)
+      parameters.cell.side_contact = neighbors_may_touch(parameters) ?
+                                       CellParameters::SideContact::on :
+                                       CellParameters::SideContact::off;
     check_modes(parameters);
 
     std::ostringstream used;

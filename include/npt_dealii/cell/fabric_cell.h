@@ -80,13 +80,16 @@ namespace NPT
   struct SurfaceImage
   {
     unsigned int      bundle;
-    unsigned int      side; ///< 0 bottom, 1 top, of the base bundle
+    unsigned int      side; ///< 0 begin, 1 end of that direction
     SymmetryOperation operation;
     double            offset_sign;
     /// Pieces of the same strand continue each other; period counts them along
     /// the strand, 0 for the piece that crosses the contact partner.
     int strand;
     int period;
+    /// Parametric direction normal to the face: 2 for bottom and top, 1 for
+    /// the edges of a bundle (side contact of parallel neighbors).
+    unsigned int direction = 2;
   };
 
   /// A secondary face and the primary faces that it may touch.
@@ -95,6 +98,7 @@ namespace NPT
     unsigned int              secondary_bundle;
     unsigned int              secondary_side;
     std::vector<SurfaceImage> primaries;
+    unsigned int              direction = 2; ///< as in SurfaceImage
   };
 
   /**
@@ -213,6 +217,8 @@ namespace NPT
                     const MeshParameters &mesh) const;
     void
     add_plies(const MeshParameters &mesh);
+    void
+    add_side_contacts();
     void
     add_strands(const WeavePattern &weave, const MeshParameters &mesh);
     void

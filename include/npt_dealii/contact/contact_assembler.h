@@ -114,9 +114,9 @@ namespace NPT
     Violation
     violation() const;
     /// Uzawa's update: the evaluated tractions become the multipliers of the
-    /// present load step.
+    /// present load step, and both penalties grow by a factor until it ends.
     void
-    augment();
+    augment(const double growth = 1.);
 
     /// Figures of the evaluated state.
     struct Summary
@@ -261,6 +261,7 @@ namespace NPT
     // Multipliers of the present load step.
     std::vector<double>                          multiplier_;
     std::vector<std::array<double, m>>           traction_multiplier_;
+    double                                       penalty_scale_ = 1.;
     std::vector<std::vector<dealii::Point<dim>>> primary_positions_;
     std::vector<ClosestPoint<dim>>               closest_;
     std::vector<NodeState>                       nodes_;

@@ -65,16 +65,19 @@ namespace NPT
      * parameter + shift.
      *
      * @param strand Pieces with the same number form one strand.
-     * @param shift Added to the first parameter.
+     * @param shift Added to the parameter along the strand.
      * @param before, after Index of the neighboring pieces at the begin and
-     *   the end of the first parameter, or -1.
+     *   the end of that parameter, or -1.
+     * @param along Which parameter runs along the strand.
      */
     void
-    set_strand(const int    strand,
-               const double shift,
-               const int    before,
-               const int    after)
+    set_strand(const int          strand,
+               const double       shift,
+               const int          before,
+               const int          after,
+               const unsigned int along = 0)
     {
+      along_        = along;
       strand_       = strand;
       shift_        = shift;
       neighbors_[0] = before;
@@ -84,6 +87,11 @@ namespace NPT
     strand() const
     {
       return strand_;
+    }
+    int
+    along() const
+    {
+      return along_;
     }
     double
     shift() const
@@ -185,6 +193,7 @@ namespace NPT
     std::vector<unsigned int>                             first_dof_;
     std::array<std::vector<std::pair<double, double>>, m> smooth_pieces_;
     int                                                   strand_ = -1;
+    int                                                   along_  = 0;
     double                                                shift_  = 0;
     int neighbors_[2]                                             = {-1, -1};
   };

@@ -38,6 +38,7 @@ namespace NPT
   BezierMesh
   make_contact_fields(const IGASpace<3>            &space,
                       const unsigned int            patch,
+                      const unsigned int            direction,
                       const unsigned int            side,
                       const ContactAssembler<3>    &contact,
                       const dealii::Vector<double> &u);
