@@ -47,3 +47,9 @@ plot file('cyclic_shear') using (column('H3')):(of('|load|reverse|back|') ? colu
 set output images.'/cyclic_bending.svg'
 set xlabel 'bending H_4 [1/mm]'; set ylabel 'n_4 [N]'
 plot file('cyclic_bending') using (column('H4')):(of('|load|reverse|back|') ? column('n4') : NaN) with linespoints ls 1 notitle
+
+# Once more with --set 'Cell/Side contact=off' to results/locking_off.
+set output images.'/locking.svg'
+set xlabel 'shear H_3 [-]'; set ylabel 'n_3 [N/mm]'
+plot file('locking') using (column('H3')):(of('|shear|') ? column('n3') : NaN) with linespoints ls 1 title 'with side contact', \
+     file('locking_off') using (column('H3')):(of('|shear|') ? column('n3') : NaN) with linespoints ls 2 title 'without'
