@@ -646,12 +646,12 @@ namespace NPT
             throw NewtonNotConverged("augmentation limit", detail.str());
           }
         // A penalty that is small against the stiffness of the bundles gains
-        // little per repetition: after ten of them let it grow for the rest of
+        // little per repetition: after 25 of them let it grow for the rest of
         // the step.
         const bool slow =
           gap > std::max(contact.penetration_tolerance, 0.5 * previous_gap) ||
           slip > std::max(contact.stick_tolerance, 0.5 * previous_slip);
-        const double growth = k >= 10 && slow ? 4. : 1.;
+        const double growth = k >= 25 && slow ? 4. : 1.;
         previous_gap        = gap;
         previous_slip       = slip;
         for (const auto &assembler : contacts_)

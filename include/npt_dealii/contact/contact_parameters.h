@@ -17,7 +17,7 @@ namespace NPT
     double       normal_penalty      = 100.;     ///< epsilon_N [N/mm^3]
     unsigned int n_quadrature_points = 0;        ///< 0: degree + 1
     double       maximum_penetration = 0.5;      ///< fraction of thickness
-    double       edge_radius         = 0.1;      ///< fraction of thickness
+    double       edge_radius         = 0.25;     ///< fraction of thickness
     /// "penalty" or "augmented Lagrangian"
     std::string  enforcement           = "penalty";
     double       penetration_tolerance = 1e-4; ///< augmented Lagrangian [mm]
