@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 namespace NPT
 {
@@ -44,6 +45,18 @@ namespace NPT
         file_.open(logfile);
         AssertThrow(file_, ExcFileNotOpen(logfile));
       }
+  }
+
+
+
+  RunLog
+  RunLog::in_folder(const std::string &folder, std::ostream &screen)
+  {
+    const bool has_folder = !folder.empty();
+    return RunLog(has_folder ? folder + "/log.txt" : "",
+                  screen,
+                  has_folder && standard_output_is_terminal(),
+                  !has_folder);
   }
 
 
@@ -232,6 +245,14 @@ namespace NPT
   standard_output_is_terminal()
   {
     return isatty(STDOUT_FILENO) == 1;
+  }
+
+
+
+  double
+  process_cpu_seconds()
+  {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   }
 
 

@@ -2,6 +2,7 @@
 // Owns the load factor of a stage: the next trial, growth, cuts, giving up.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/solver/step_control.h>
 
 #include <deal.II/base/exceptions.h>
@@ -15,14 +16,6 @@ namespace NPT
   {
     // 0.1 is not 1/10 in binary; comparisons of steps forgive that.
     constexpr double tolerance = 1e-9;
-
-    std::string
-    number(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
 
     std::string
     hint(const std::string &reason)
@@ -49,17 +42,17 @@ namespace NPT
   {
     using namespace dealii;
     prm.declare_entry("Initial step",
-                      number(initial_step),
+                      short_number(initial_step),
                       Patterns::Double(1e-6, 1),
                       "First load step, as a fraction of the stage [-]. "
                       "Rounded down to 1/n.");
     prm.declare_entry("Minimum step",
-                      number(minimum_step),
+                      short_number(minimum_step),
                       Patterns::Double(1e-9, 1),
                       "The stage is given up when a step would have to be "
                       "smaller than this fraction of it [-].");
     prm.declare_entry("Maximum step",
-                      number(maximum_step),
+                      short_number(maximum_step),
                       Patterns::Double(1e-6, 1),
                       "Longest load step, as a fraction of the stage [-]. "
                       "Steps grow by doubling.");
@@ -82,13 +75,13 @@ namespace NPT
     target_iterations = prm.get_integer("Target iterations");
 
     if (initial_step > maximum_step)
-      throw InputError("Initial step is " + number(initial_step) +
+      throw InputError("Initial step is " + short_number(initial_step) +
                        "; it must not exceed the Maximum step " +
-                       number(maximum_step) + " (" + place + ").");
+                       short_number(maximum_step) + " (" + place + ").");
     if (minimum_step > initial_step)
-      throw InputError("Minimum step is " + number(minimum_step) +
+      throw InputError("Minimum step is " + short_number(minimum_step) +
                        "; it must not exceed the Initial step " +
-                       number(initial_step) + " (" + place + ").");
+                       short_number(initial_step) + " (" + place + ").");
   }
 
 

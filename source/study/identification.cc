@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/base/table_file.h>
 #include <npt_dealii/material/ellipticity.h>
 #include <npt_dealii/output/plots.h>
@@ -73,14 +74,6 @@ namespace NPT
       for (unsigned int i = 0; i < 3; ++i)
         F[i][i] += 1.;
       return F;
-    }
-
-    std::string
-    number(const double value, const int digits = 6)
-    {
-      std::ostringstream text;
-      text << std::setprecision(digits) << value;
-      return text.str();
     }
 
 
@@ -184,7 +177,7 @@ namespace NPT
       for (unsigned int k = 0; k < p; ++k)
         if (std::abs(direction[k]) > 1e-3 * largest)
           text += (text.empty() ? "" : ", ") + std::string(constant_names[k]) +
-                  ": " + number(direction[k] / largest, 3);
+                  ": " + short_number(direction[k] / largest, 3);
       return text;
     }
 
@@ -844,7 +837,7 @@ namespace NPT
     if (fit.reciprocal_condition < 1e-5)
       result.notes.push_back(
         "The data hardly determine all constants (reciprocal condition " +
-        number(fit.reciprocal_condition, 2) + ").");
+        short_number(fit.reciprocal_condition, 2) + ").");
     return result;
   }
 

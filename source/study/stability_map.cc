@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Table and pictures of stability maps.
 
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/base/table_file.h>
 #include <npt_dealii/study/stability_map.h>
 #include <npt_dealii/study/study_plots.h>

@@ -6,7 +6,6 @@
 #include <npt_dealii/study/study_plots.h>
 
 #include <ostream>
-#include <sstream>
 #include <vector>
 
 namespace NPT
@@ -47,16 +46,6 @@ namespace NPT
     return "linecolor rgb '" + study_color(i) + "' linewidth 2 dashtype " +
            std::to_string(1 + (i / 8) % 4) + " pointtype " +
            std::to_string(symbols[i % symbols.size()]);
-  }
-
-
-
-  std::string
-  short_number(const double value)
-  {
-    std::ostringstream text;
-    text << value;
-    return text.str();
   }
 
 

@@ -2,6 +2,7 @@
 // Error norms of curves, Pareto fronts, tables and the picture.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/base/table_file.h>
 #include <npt_dealii/study/study_plots.h>
 #include <npt_dealii/study/work_precision.h>

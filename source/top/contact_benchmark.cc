@@ -3,6 +3,7 @@
 // order in which they are used.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/output/cell_fields.h>
 #include <npt_dealii/output/field_writer.h>
 #include <npt_dealii/output/plots.h>
@@ -10,7 +11,6 @@
 #include <npt_dealii/top/contact_benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -21,35 +21,13 @@ namespace NPT
   using dealii::Tensor;
   using dealii::Vector;
 
-  namespace
-  {
-    double
-    process_cpu_seconds()
-    {
-      return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    }
-
-    std::string
-    format(const double value, const int digits = 6)
-    {
-      std::ostringstream text;
-      text << std::setprecision(digits) << value;
-      return text.str();
-    }
-  } // namespace
-
-
-
   ContactBenchmark::ContactBenchmark(
     const ContactBenchmarkParameters &parameters,
     const std::string                &directory,
     std::ostream                     &screen)
     : parameters_(parameters)
     , directory_(directory)
-    , log_(directory.empty() ? "" : directory + "/log.txt",
-           screen,
-           directory.empty() ? false : standard_output_is_terminal(),
-           directory.empty())
+    , log_(RunLog::in_folder(directory, screen))
     , cpu_start_(process_cpu_seconds())
     , model_(make_contact_model(parameters))
   {}
@@ -324,10 +302,11 @@ namespace NPT
           return;
         if (k == contact.max_augmentations)
           throw NewtonNotConverged("augmentation limit",
-                                   "gap " + format(violation.gap) +
+                                   "gap " + short_number(violation.gap) +
                                      " mm, stick drift " +
-                                     format(violation.slip) + " mm after " +
-                                     std::to_string(k) + " augmentations.");
+                                     short_number(violation.slip) +
+                                     " mm after " + std::to_string(k) +
+                                     " augmentations.");
         contact_->augment();
         report_.iterations +=
           solve_newton(parameters_.newton, problem, x).iterations;
@@ -526,15 +505,16 @@ namespace NPT
       {
         std::ostringstream line;
         line << std::left << std::setw(34) << item.quantity << std::right
-             << std::setw(14) << format(item.computed) << ' ' << std::left
+             << std::setw(14) << short_number(item.computed) << ' ' << std::left
              << std::setw(6) << item.unit;
         if (item.exact != 0.)
-          line << " exact " << std::setw(12) << format(item.exact)
-               << " difference " << format(100. * item.error(), 3) << " %";
+          line << " exact " << std::setw(12) << short_number(item.exact)
+               << " difference " << short_number(100. * item.error(), 3)
+               << " %";
         log_.line(line.str());
       }
-    log_.line("CPU time " + format(process_cpu_seconds() - cpu_start_, 3) +
-              " s");
+    log_.line("CPU time " +
+              short_number(process_cpu_seconds() - cpu_start_, 3) + " s");
     if (directory_.empty())
       return;
     TableWriter table(directory_ + "/comparison.csv",

@@ -3,6 +3,7 @@
 // its steps below in the order in which they are used.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/material/composite_bounds.h>
 #include <npt_dealii/output/cell_fields.h>
 #include <npt_dealii/output/replace_file.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iomanip>
 #include <sstream>
 
@@ -24,20 +24,6 @@ namespace NPT
   namespace
   {
     constexpr unsigned int n_macro = SolidMacroUnknowns::n_macro;
-
-    double
-    process_cpu_seconds()
-    {
-      return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    }
-
-    std::string
-    format(const double value, const int digits = 5)
-    {
-      std::ostringstream text;
-      text << std::setprecision(digits) << value;
-      return text.str();
-    }
 
     void
     report_fit(const IdentificationResult       &result,
@@ -53,7 +39,8 @@ namespace NPT
                               "rms error [%]:";
       for (const auto &error :
            curve_errors(curves, parameters, FiberBundleConstants()))
-        published += " " + error.name + " " + format(100. * error.rms, 3) + ";";
+        published +=
+          " " + error.name + " " + short_number(100. * error.rms, 3) + ";";
       published.back() = '.';
       log.line(published);
       if (directory.empty())
@@ -75,10 +62,7 @@ namespace NPT
     std::ostream                 &screen)
     : parameters_(parameters)
     , directory_(directory)
-    , log_(directory.empty() ? "" : directory + "/log.txt",
-           screen,
-           directory.empty() ? false : standard_output_is_terminal(),
-           directory.empty())
+    , log_(RunLog::in_folder(directory, screen))
     , cpu_start_(process_cpu_seconds())
     , macro_(0)
   {}
@@ -97,8 +81,8 @@ namespace NPT
 
     if (parameters_.identify && !rows_.empty())
       identify_bundle_law(); // constrained linear least squares
-    log_.line("CPU time " + format(process_cpu_seconds() - cpu_start_, 3) +
-              " s");
+    log_.line("CPU time " +
+              short_number(process_cpu_seconds() - cpu_start_, 3) + " s");
   }
 
 
@@ -169,9 +153,9 @@ namespace NPT
     log_.header(
       "Numerical material test",
       {{"fibers in the cell", std::to_string(parameters_.cell.n_fibers)},
-       {"volume fraction", format(parameters_.cell.volume_fraction)},
+       {"volume fraction", short_number(parameters_.cell.volume_fraction, 5)},
        {"ligament / spacing",
-        format(cell_->ligament() / parameters_.cell.fiber_spacing)},
+        short_number(cell_->ligament() / parameters_.cell.fiber_spacing, 5)},
        {"patches", std::to_string(bodies_->space().n_patches())},
        {"cells", std::to_string(bodies_->space().cells().size())},
        {"independent unknowns", std::to_string(system_.n_independent())}});
@@ -226,14 +210,16 @@ namespace NPT
     FullMatrix<double> S(6, 6);
     S.invert(stiffness_);
     const double E1 = 1. / S(0, 0);
-    log_.line("Small strain: E_1 = " + format(E1) + ", E_2 = " +
-              format(1. / S(1, 1)) + ", E_3 = " + format(1. / S(2, 2)) +
-              ", G_12 = " + format(stiffness_(5, 5)) +
-              ", G_31 = " + format(stiffness_(4, 4)) +
-              ", G_23 = " + format(stiffness_(3, 3)) +
-              " MPa, nu_12 = " + format(-S(1, 0) * E1) +
-              ", nu_23 = " + format(-S(2, 1) / S(1, 1)) + ", (C22 - C23)/2 = " +
-              format(0.5 * (stiffness_(1, 1) - stiffness_(1, 2))) + " MPa");
+    log_.line("Small strain: E_1 = " + short_number(E1, 5) +
+              ", E_2 = " + short_number(1. / S(1, 1), 5) +
+              ", E_3 = " + short_number(1. / S(2, 2), 5) +
+              ", G_12 = " + short_number(stiffness_(5, 5), 5) +
+              ", G_31 = " + short_number(stiffness_(4, 4), 5) +
+              ", G_23 = " + short_number(stiffness_(3, 3), 5) +
+              " MPa, nu_12 = " + short_number(-S(1, 0) * E1, 5) + ", nu_23 = " +
+              short_number(-S(2, 1) / S(1, 1), 5) + ", (C22 - C23)/2 = " +
+              short_number(0.5 * (stiffness_(1, 1) - stiffness_(1, 2)), 5) +
+              " MPa");
     if (parameters_.fiber.law == MaterialParameters::Law::neo_hookean &&
         parameters_.matrix.law == MaterialParameters::Law::neo_hookean)
       {
@@ -244,7 +230,8 @@ namespace NPT
                                 parameters_.matrix.young_modulus,
                                 parameters_.matrix.poisson_ratio);
         const auto interval = [](const Interval &i) {
-          return "[" + format(i.lower) + ", " + format(i.upper) + "]";
+          return "[" + short_number(i.lower, 5) + ", " +
+                 short_number(i.upper, 5) + "]";
         };
         log_.line("Bounds (transverse isotropy): E_1 " + interval(b.E_L) +
                   ", E_2 " + interval(b.E_T) + ", G_12 " + interval(b.G_L) +
@@ -575,10 +562,7 @@ namespace NPT
                      const std::string                 &directory,
                      std::ostream                      &screen)
   {
-    RunLog log(directory.empty() ? "" : directory + "/log.txt",
-               screen,
-               directory.empty() ? false : standard_output_is_terminal(),
-               directory.empty());
+    RunLog log(RunLog::in_folder(directory, screen));
     if (!directory.empty())
       replace_file(directory + "/used_parameters.prm",
                    [&](std::ostream &out) { out << parameters.used_file; });

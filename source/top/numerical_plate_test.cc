@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -26,12 +25,6 @@ namespace NPT
     // Of the foundation in weaving [N/mm per mm^3 of bundle]: four orders
     // below the stiffness of contact, so that it moves nothing by itself.
     const double foundation_stiffness = 0.01;
-
-    double
-    process_cpu_seconds()
-    {
-      return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    }
   } // namespace
 
 
@@ -41,10 +34,7 @@ namespace NPT
                                          std::ostream      &screen)
     : parameters_(parameters)
     , directory_(directory)
-    , log_(directory.empty() ? "" : directory + "/log.txt",
-           screen,
-           directory.empty() ? false : standard_output_is_terminal(),
-           directory.empty())
+    , log_(RunLog::in_folder(directory, screen))
     , timer_(screen, TimerOutput::never, TimerOutput::cpu_and_wall_times)
     , cpu_start_(process_cpu_seconds())
     , macro_(0)

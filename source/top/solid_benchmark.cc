@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iomanip>
 #include <sstream>
 
@@ -25,12 +24,6 @@ namespace NPT
 
   namespace
   {
-    double
-    process_cpu_seconds()
-    {
-      return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    }
-
     std::string
     format(const double value, const int digits, const unsigned int width)
     {
@@ -175,10 +168,7 @@ namespace NPT
                                  std::ostream                   &screen)
     : parameters_(parameters)
     , directory_(directory)
-    , log_(directory.empty() ? "" : directory + "/log.txt",
-           screen,
-           directory.empty() ? false : standard_output_is_terminal(),
-           directory.empty())
+    , log_(RunLog::in_folder(directory, screen))
     , exact_(make_exact_solution(parameters))
     , linear_solver_(parameters.linear_solver)
   {}

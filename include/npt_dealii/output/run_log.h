@@ -40,6 +40,11 @@ namespace NPT
            const bool         is_terminal,
            const bool         quiet = false);
 
+    /// The log of a run: log.txt in a folder of results. Without a folder there
+    /// is no file, and the log is quiet.
+    static RunLog
+    in_folder(const std::string &folder, std::ostream &screen);
+
     /// Calls finish().
     ~RunLog();
 
@@ -126,6 +131,10 @@ namespace NPT
   /// Whether standard output is a terminal and not a file or a pipe.
   bool
   standard_output_is_terminal();
+
+  /// CPU time that this process has used so far.
+  double
+  process_cpu_seconds();
 
   /// "42 s", "3 min 05 s", "2 h 07 min".
   std::string

@@ -24,10 +24,6 @@ namespace NPT
   std::string
   study_line_style(const unsigned int i);
 
-  /// A number in as few digits as needed: 0.01, 1e-05, 12.5.
-  std::string
-  short_number(const double value);
-
   /**
    * Write the script NAME.gp in a folder and run it: draws NAME.svg and
    * NAME.png.
