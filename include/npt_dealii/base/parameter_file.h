@@ -5,6 +5,10 @@
 #ifndef npt_dealii_base_parameter_file_h
 #define npt_dealii_base_parameter_file_h
 
+#include <npt_dealii/base/describe_pattern.h>
+#include <npt_dealii/base/nearest_name.h>
+#include <npt_dealii/base/parameter_text.h>
+
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -17,59 +21,6 @@ namespace dealii
 
 namespace NPT
 {
-  /**
-   * The statements of a parameter file in reading order, include files
-   * resolved, comments gone, each with the place it came from.
-   *
-   * Subsections are balanced: every function that makes such a text has
-   * checked that, file by file.
-   */
-  struct ParameterText
-  {
-    enum class Kind
-    {
-      subsection, ///< `subsection NAME`
-      set,        ///< `set NAME = VALUE`
-      end         ///< `end`
-    };
-
-    struct Statement
-    {
-      Kind         kind;
-      std::string  name;  ///< Subsection or entry; empty for `end`.
-      std::string  value; ///< Of a `set`, blanks at both ends removed.
-      std::string  file;  ///< As a person would write it: relative if possible.
-      unsigned int line;  ///< First physical line of the statement, from 1.
-    };
-
-    std::vector<Statement> statements;
-  };
-
-  /**
-   * Read a parameter file and the files it includes.
-   *
-   * Lines are understood as dealii::ParameterHandler does: `#` begins a
-   * comment, a backslash at the end joins the next line, tabs count as blanks,
-   * keywords are all lower or all upper case. The one departure: a name
-   * behind `include` is relative to the file it stands in, not to the folder
-   * the program was started in, so that a folder of files can be moved.
-   *
-   * Throws InputError if a file is missing (with the nearest .prm files of that
-   * folder), a directory, not text, or includes itself; and for a line that is
-   * no statement, a `set` without `=`, and an unbalanced `subsection`/`end`.
-   */
-  ParameterText
-  read_parameter_text(const std::string &filename);
-
-  /**
-   * The same for a text already in memory.
-   *
-   * @param content  The lines of the file.
-   * @param filename Name for messages; included files are relative to it.
-   */
-  ParameterText
-  make_parameter_text(const std::string &content, const std::string &filename);
-
   /**
    * Check every statement and override against the declared entries and store
    * the values.
@@ -117,37 +68,6 @@ namespace NPT
   void
   print_documented_parameters(const dealii::ParameterHandler &prm,
                               std::ostream                   &out);
-
-  /**
-   * Put deal.II's description of a pattern into words that continue "it must
-   * be": "[Double 0...1 (inclusive)]" becomes "a number in [0, 1]". An unknown
-   * description is returned as it is.
-   */
-  std::string
-  describe_pattern(const std::string &pattern_description);
-
-  /**
-   * Number of insertions, deletions, replacements and swaps of neighboring
-   * characters that turn one word into the other (Damerau-Levenshtein, optimal
-   * string alignment), upper and lower case being the same.
-   */
-  unsigned int
-  edit_distance(const std::string &a, const std::string &b);
-
-  /**
-   * Pick the candidates a person may have meant by @p name: those within
-   * 1 + length/4 edits, nearest first, then those that contain the name as a
-   * part. Empty if nothing is near: a far-fetched guess misleads.
-   */
-  std::vector<std::string>
-  nearest_names(const std::string              &name,
-                const std::vector<std::string> &candidates,
-                const unsigned int              max_names = 1);
-
-  /// "; did you mean 'X'?" for the nearest candidate, or nothing.
-  std::string
-  did_you_mean(const std::string              &name,
-               const std::vector<std::string> &candidates);
 } // namespace NPT
 
 #endif

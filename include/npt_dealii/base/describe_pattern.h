@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns what messages say about the values that an entry allows.
+
+#ifndef npt_dealii_base_describe_pattern_h
+#define npt_dealii_base_describe_pattern_h
+
+#include <string>
+
+namespace NPT
+{
+  /**
+   * Put deal.II's description of a pattern into words that continue "it must
+   * be": "[Double 0...1 (inclusive)]" becomes "a number in [0, 1]". An unknown
+   * description is returned as it is.
+   */
+  std::string
+  describe_pattern(const std::string &pattern_description);
+
+  /**
+   * Find a value that the pattern accepts and that was probably meant by
+   * @p value, or what is wrong with it: "; did you mean 'true'?". Empty if
+   * nothing comes to mind.
+   */
+  std::string
+  suggestion_for_value(const std::string &value,
+                       const std::string &pattern_description);
+} // namespace NPT
+
+#endif

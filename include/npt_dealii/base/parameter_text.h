@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the statements of parameter files: their lines, include files resolved.
+
+#ifndef npt_dealii_base_parameter_text_h
+#define npt_dealii_base_parameter_text_h
+
+#include <string>
+#include <vector>
+
+namespace NPT
+{
+  /**
+   * The statements of a parameter file in reading order, include files
+   * resolved, comments gone, each with the place it came from.
+   *
+   * Subsections are balanced: every function that makes such a text has
+   * checked that, file by file.
+   */
+  struct ParameterText
+  {
+    enum class Kind
+    {
+      subsection, ///< `subsection NAME`
+      set,        ///< `set NAME = VALUE`
+      end         ///< `end`
+    };
+
+    struct Statement
+    {
+      Kind         kind;
+      std::string  name;  ///< Subsection or entry; empty for `end`.
+      std::string  value; ///< Of a `set`, blanks at both ends removed.
+      std::string  file;  ///< As a person would write it: relative if possible.
+      unsigned int line;  ///< First physical line of the statement, from 1.
+    };
+
+    std::vector<Statement> statements;
+  };
+
+  /**
+   * Read a parameter file and the files it includes.
+   *
+   * Lines are understood as dealii::ParameterHandler does: `#` begins a
+   * comment, a backslash at the end joins the next line, tabs count as blanks,
+   * keywords are all lower or all upper case. The one departure: a name
+   * behind `include` is relative to the file it stands in, not to the folder
+   * the program was started in, so that a folder of files can be moved.
+   *
+   * Throws InputError if a file is missing (with the nearest .prm files of that
+   * folder), a directory, not text, or includes itself; and for a line that is
+   * no statement, a `set` without `=`, and an unbalanced `subsection`/`end`.
+   */
+  ParameterText
+  read_parameter_text(const std::string &filename);
+
+  /**
+   * The same for a text already in memory.
+   *
+   * @param content  The lines of the file.
+   * @param filename Name for messages; included files are relative to it.
+   */
+  ParameterText
+  make_parameter_text(const std::string &content, const std::string &filename);
+} // namespace NPT
+
+#endif
