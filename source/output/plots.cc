@@ -1,40 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The choice of panels, and the gnuplot script with its style.
+// The choice of panels, and the script that draws them.
 
+#include <npt_dealii/output/gnuplot.h>
 #include <npt_dealii/output/plots.h>
-#include <npt_dealii/output/replace_file.h>
-
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <ostream>
 
 namespace NPT
 {
   namespace
   {
-    // gnuplot takes single-quoted text literally except for the quote.
-    std::string
-    quote_for_gnuplot(const std::string &text)
-    {
-      std::string result = "'";
-      for (const char c : text)
-        result += (c == '\'' ? std::string("''") : std::string(1, c));
-      return result + "'";
-    }
-
-    std::string
-    quote_for_shell(const std::string &text)
-    {
-      std::string result = "'";
-      for (const char c : text)
-        result += (c == '\'' ? std::string("'\\''") : std::string(1, c));
-      return result + "'";
-    }
-
     // What a column means, without its unit.
     std::string
     column_name(const std::string &column)
@@ -114,13 +92,11 @@ namespace NPT
     {
       curve_column_unit(plot.x_column); // throws if there is no such column
 
-      out << "\n  set title " << quote_for_gnuplot(plot.title)
-          << " noenhanced\n"
+      out << "\n  set title " << gnuplot_text(plot.title) << " noenhanced\n"
           << "  set xlabel "
-          << quote_for_gnuplot(axis_label(plot.x_label, {plot.x_column}))
+          << gnuplot_text(axis_label(plot.x_label, {plot.x_column}))
           << "\n  set ylabel "
-          << quote_for_gnuplot(axis_label(plot.y_label, plot.y_columns))
-          << '\n';
+          << gnuplot_text(axis_label(plot.y_label, plot.y_columns)) << '\n';
       if (plot.x_tics > 0.)
         out << "  set xtics " << plot.x_tics << '\n';
       else
@@ -131,8 +107,7 @@ namespace NPT
       else
         out << "  set border 11; set y2tics; set ytics nomirror\n"
             << "  set y2label "
-            << quote_for_gnuplot(axis_label(plot.y2_label, plot.y2_columns))
-            << '\n';
+            << gnuplot_text(axis_label(plot.y2_label, plot.y2_columns)) << '\n';
 
       // A single curve needs no legend: the axis names it.
       const bool   legend = plot.y_columns.size() + plot.y2_columns.size() > 1;
@@ -143,7 +118,7 @@ namespace NPT
         std::string condition;
         for (const std::string &stage : plot.stages)
           condition += (condition.empty() ? "" : " || ") +
-                       ("strcol('stage') eq " + quote_for_gnuplot(stage));
+                       ("strcol('stage') eq " + gnuplot_text(stage));
         const std::string value =
           condition.empty() ?
               "(column('" + column + "'))" :
@@ -151,10 +126,9 @@ namespace NPT
         out << separator << "    curves using (column('" << plot.x_column
             << "')):" << value << (second ? " axes x1y2" : "")
             << " with linespoints linestyle " << style++
-            << (legend ?
-                    " title " + quote_for_gnuplot(column_name(column) +
-                                                (second ? " (right)" : "")) :
-                    std::string(" notitle"));
+            << (legend ? " title " + gnuplot_text(column_name(column) +
+                                                  (second ? " (right)" : "")) :
+                           std::string(" notitle"));
         separator = ", \\\n";
       };
       for (const std::string &column : plot.y_columns)
@@ -289,77 +263,29 @@ namespace NPT
                     const std::string           &picture,
                     const std::vector<PlotSpec> &plots)
   {
-    const unsigned int n_columns = (plots.size() > 1 ? 2 : 1);
-    const unsigned int n_rows    = (plots.size() + n_columns - 1) / n_columns;
-    const std::string  size      = std::to_string(520 * n_columns) + "," +
-                             std::to_string(360 * std::max(1u, n_rows));
-
-    replace_file(script, [&](std::ostream &out) {
-      out
-        << "# Draws " << curve_file << " to " << picture
-        << ".svg and .png. Change it and run `gnuplot` on it in this folder.\n"
-        << "curves = " << quote_for_gnuplot(curve_file) << "\n"
-        << "set datafile separator comma\n"
-        << "set datafile columnheaders\n"
-        << "set style line 1 linecolor rgb '#0072b2' linewidth 2 pointtype 7 "
-           "pointsize 0.5\n"
-        << "set style line 2 linecolor rgb '#d55e00' linewidth 2 pointtype 5 "
-           "pointsize 0.5\n"
-        << "set style line 3 linecolor rgb '#009e73' linewidth 2 pointtype 9 "
-           "pointsize 0.6\n"
-        << "set style line 4 linecolor rgb '#cc79a7' linewidth 2 pointtype 13 "
-           "pointsize 0.6\n"
-        << "set grid linecolor rgb '#dddddd' linetype 1 linewidth 1\n"
-        << "set key left top reverse Left samplen 2\n"
-        << "set tics nomirror out\n"
-        << "set format '%g'\n"
-        << "\n"
-        << "do for [kind in 'svg pngcairo'] {\n"
-        << "  if (strstrt(' '.GPVAL_TERMINALS.' ', ' '.kind.' ') == 0) { "
-           "continue }\n"
-        << "  if (kind eq 'svg') {\n"
-        << "    set terminal svg size " << size
-        << " font 'sans-serif,13' background 'white' dynamic\n"
-        << "    set output " << quote_for_gnuplot(picture + ".svg") << "\n"
-        << "  } else {\n"
-        << "    set terminal pngcairo size " << size
-        << " font 'sans-serif,11' background 'white'\n"
-        << "    set output " << quote_for_gnuplot(picture + ".png") << "\n"
-        << "  }\n"
-        << "  set multiplot layout " << std::max(1u, n_rows) << "," << n_columns
-        << "\n";
+    GnuplotPicture frame;
+    frame.name      = picture;
+    frame.n_columns = plots.size() > 1 ? 2 : 1;
+    frame.n_rows    = std::max<unsigned int>(1,
+                                          (plots.size() + frame.n_columns - 1) /
+                                            frame.n_columns);
+    frame.width     = 520 * frame.n_columns;
+    frame.height    = 360 * frame.n_rows;
+    frame.settings  = "curves = " + gnuplot_text(curve_file) +
+                     "\nset key left top reverse Left samplen 2\n"
+                     "set format '%g'\n";
+    static const char *const symbols[] = {"7 pointsize 0.5",
+                                          "5 pointsize 0.5",
+                                          "9 pointsize 0.6",
+                                          "13 pointsize 0.6"};
+    for (unsigned int i = 0; i < 4; ++i)
+      frame.settings += "set style line " + std::to_string(i + 1) +
+                        " linecolor rgb '" + gnuplot_color(i) +
+                        "' linewidth 2 pointtype " + symbols[i] + "\n";
+    write_gnuplot_script(script, frame, [&](std::ostream &out) {
       for (const PlotSpec &plot : plots)
         write_panel(out, plot);
-      out << "\n  unset multiplot\n"
-          << "  unset output\n"
-          << "}\n";
     });
-  }
-
-
-
-  std::string
-  run_gnuplot(const std::string &script)
-  {
-    const std::size_t slash = script.find_last_of('/');
-    const std::string folder =
-      (slash == std::string::npos ? "." : script.substr(0, slash + 1));
-    const std::string file =
-      (slash == std::string::npos ? script : script.substr(slash + 1));
-
-    // 127 is the shell's answer to an unknown program.
-    const int status =
-      std::system(("cd " + quote_for_shell(folder) + " && gnuplot " +
-                   quote_for_shell(file) + " >/dev/null 2>&1 </dev/null")
-                    .c_str());
-    if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 0)
-      return "";
-    if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 127)
-      return "gnuplot was not found, no picture is drawn; install gnuplot and "
-             "run it on " +
-             script + ".";
-    return "gnuplot failed on " + script +
-           ", no picture is drawn; run it by hand to see why.";
   }
 
 

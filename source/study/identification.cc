@@ -6,7 +6,7 @@
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/base/table_file.h>
 #include <npt_dealii/material/ellipticity.h>
-#include <npt_dealii/output/plots.h>
+#include <npt_dealii/output/gnuplot.h>
 #include <npt_dealii/output/replace_file.h>
 #include <npt_dealii/study/identification.h>
 
@@ -1001,25 +1001,16 @@ namespace NPT
         }
     }
 
-    const std::array<std::string, 6> colors = {
-      {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"}};
+    GnuplotPicture frame;
+    frame.name               = "fit";
+    frame.width              = 1040;
+    frame.height             = 420;
+    frame.n_columns          = 2;
+    frame.settings           = "set key left top reverse Left samplen 2\n"
+                               "set xlabel 'H (shear: H_{iJ} + H_{Ji}) [-]'\n"
+                               "set ylabel 'first Piola-Kirchhoff stress [MPa]'\n";
     const std::string script = directory + "/fit.gp";
-    replace_file(script, [&](std::ostream &out) {
-      out << "# Draws fit.csv: tests as points, fit as lines.\n"
-             "set datafile separator comma\nset datafile columnheaders\n"
-             "set key left top reverse Left samplen 2\nset grid lc rgb "
-             "'#dddddd'\nset xlabel 'H (shear: H_{iJ} + H_{Ji}) [-]'\n"
-             "set ylabel 'first Piola-Kirchhoff stress [MPa]'\n"
-             "do for [kind in 'svg pngcairo'] {\n"
-             "  if (strstrt(' '.GPVAL_TERMINALS.' ', ' '.kind.' ') == 0) { "
-             "continue }\n"
-             "  if (kind eq 'svg') {\n"
-             "    set terminal svg size 1040,420 font 'sans-serif,13' "
-             "background 'white' dynamic\n    set output 'fit.svg'\n"
-             "  } else {\n"
-             "    set terminal pngcairo size 1040,420 font 'sans-serif,11' "
-             "background 'white'\n    set output 'fit.png'\n  }\n"
-             "  set multiplot layout 1,2\n";
+    write_gnuplot_script(script, frame, [&](std::ostream &out) {
       for (const bool shear : {false, true})
         {
           out << "  set title '" << (shear ? "shear" : "tension") << "'\n";
@@ -1030,7 +1021,7 @@ namespace NPT
               const unsigned int e = leading(curve);
               if ((e / 3 != e % 3) != shear)
                 continue;
-              const std::string color = colors[n++ % colors.size()];
+              const std::string color = gnuplot_color(n++);
               std::string       name  = curve.name;
               for (char &c : name)
                 if (c == '\'')
@@ -1049,7 +1040,6 @@ namespace NPT
             }
           out << (n > 0 ? "\n" : "  set multiplot next\n");
         }
-      out << "  unset multiplot\n  unset output\n}\n";
     });
     return picture ? run_gnuplot(script) : std::string();
   }

@@ -6,7 +6,7 @@
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/output/cell_fields.h>
 #include <npt_dealii/output/field_writer.h>
-#include <npt_dealii/output/plots.h>
+#include <npt_dealii/output/gnuplot.h>
 #include <npt_dealii/solver/step_control.h>
 #include <npt_dealii/top/contact_benchmark.h>
 

@@ -5,7 +5,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/iga/iga_surface.h>
 #include <npt_dealii/iga/iga_values.h>
-#include <npt_dealii/output/plots.h>
+#include <npt_dealii/output/gnuplot.h>
 #include <npt_dealii/output/replace_file.h>
 #include <npt_dealii/top/benchmark_bodies.h>
 #include <npt_dealii/top/solid_benchmark.h>
@@ -85,8 +85,6 @@ namespace NPT
                const std::string                 &title,
                const std::vector<ConvergenceRow> &rows)
     {
-      const std::array<std::string, 4> colors = {
-        {"#0072b2", "#d55e00", "#009e73", "#cc79a7"}};
       const std::array<std::string, 3> symbols = {{"7", "5", "8"}};
       std::vector<std::string>         bases;
       std::vector<unsigned int>        degrees;
@@ -99,32 +97,21 @@ namespace NPT
             degrees.push_back(row.degree);
         }
 
+      GnuplotPicture picture;
+      picture.name             = "convergence";
+      picture.width            = 1040;
+      picture.height           = 480;
+      picture.n_columns        = 2;
+      picture.settings         = "set logscale xy\n"
+                                 "set format y '10^{%T}'\n"
+                                 "set xlabel 'elements per direction'\n"
+                                 "set key bottom left Left reverse samplen 2\n";
       const std::string script = folder + "/convergence.gp";
-      replace_file(script, [&](std::ostream &out) {
-        out << "# Draws convergence.csv. Change it and run gnuplot on it.\n"
-               "set datafile separator comma\n"
-               "set datafile columnheaders\n"
-               "set logscale xy\n"
-               "set format y '10^{%T}'\n"
-               "set grid linecolor rgb '#dddddd'\n"
-               "set xlabel 'elements per direction'\n"
-               "set key bottom left Left reverse samplen 2\n"
-               "do for [kind in 'svg pngcairo'] {\n"
-               "  if (strstrt(' '.GPVAL_TERMINALS.' ', ' '.kind.' ') == 0) { "
-               "continue }\n"
-               "  if (kind eq 'svg') {\n"
-               "    set terminal svg size 1040,480 font 'sans-serif,13' "
-               "background 'white' dynamic\n"
-               "    set output 'convergence.svg'\n"
-               "  } else {\n"
-               "    set terminal pngcairo size 1040,480 font 'sans-serif,11' "
-               "background 'white'\n"
-               "    set output 'convergence.png'\n"
-               "  }\n"
-               "  set multiplot layout 1,2\n";
+      write_gnuplot_script(script, picture, [&](std::ostream &out) {
         for (const bool energy : {true, false})
           {
-            out << "  set title '" << title << "'\n  set ylabel 'relative "
+            out << "  set title " << gnuplot_text(title)
+                << "\n  set ylabel 'relative "
                 << "error, " << (energy ? "energy" : "L_2") << " norm'\n";
             std::string separator = "  plot \\\n";
             for (unsigned int b = 0; b < bases.size(); ++b)
@@ -135,8 +122,9 @@ namespace NPT
                       << bases[b] << "' && column('degree') == " << degrees[k]
                       << " ? column('error_" << (energy ? "energy" : "L2")
                       << "') : NaN) with linespoints lw 1.5 pt "
-                      << symbols[b % 3] << " ps 0.7 lc rgb '" << colors[k % 4]
-                      << "' title '" << bases[b] << " " << degrees[k] << "'";
+                      << symbols[b % 3] << " ps 0.7 lc rgb '"
+                      << gnuplot_color(k) << "' title '" << bases[b] << " "
+                      << degrees[k] << "'";
                   separator = ", \\\n";
                 }
             // Through half the last error of the first basis.
@@ -151,11 +139,10 @@ namespace NPT
                 out << separator << "    " << 0.5 * error << "*(x/"
                     << last->n_elements << ".)**(-"
                     << degrees[k] + (energy ? 0 : 1) << ") dt 2 lw 1 lc rgb '"
-                    << colors[k % 4] << "' notitle";
+                    << gnuplot_color(k) << "' notitle";
               }
             out << "\n";
           }
-        out << "  unset multiplot\n  unset output\n}\n";
       });
       return run_gnuplot(script);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Owns the pictures of a run: which columns of curves.csv are drawn against
-// which, the gnuplot script that draws them, and calling gnuplot.
+// which.
 
 #ifndef npt_dealii_output_plots_h
 #define npt_dealii_output_plots_h
@@ -69,15 +69,6 @@ namespace NPT
                     const std::string           &curve_file,
                     const std::string           &picture,
                     const std::vector<PlotSpec> &plots);
-
-  /**
-   * Run gnuplot on a script in the script's folder.
-   *
-   * @return Empty if all went well, else a warning of one line: without
-   *   gnuplot a run has its numbers and only lacks the picture.
-   */
-  std::string
-  run_gnuplot(const std::string &script);
 
   /**
    * Draw the curves.csv of an output folder: writes curves.gp, curves.svg and

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what the pictures of all studies have in common: gnuplot script, size,
-// colors and symbols.
+// Owns what the pictures of all studies have in common: panels of one size,
+// colors and symbols of curves.
 
 #ifndef npt_dealii_study_study_plots_h
 #define npt_dealii_study_study_plots_h
+
+#include <npt_dealii/output/gnuplot.h>
 
 #include <functional>
 #include <iosfwd>
@@ -11,15 +13,6 @@
 
 namespace NPT
 {
-  /// Text in gnuplot's single quotes.
-  std::string
-  gnuplot_text(const std::string &text);
-
-  /// Color i of eight that color-blind readers can tell apart (Okabe, Ito);
-  /// more begin anew.
-  std::string
-  study_color(const unsigned int i);
-
   /// Options of gnuplot for curve i: color, symbol, line.
   std::string
   study_line_style(const unsigned int i);
