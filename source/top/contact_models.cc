@@ -457,6 +457,20 @@ namespace NPT
       return {handle, true, linear_to(end)};
     }
 
+    /// The handles of attach_rotation(), from rest to a finite angle.
+    std::vector<HandleDrive>
+    turn(const unsigned int cosine, const unsigned int sine, const double angle)
+    {
+      return {{cosine,
+               false,
+               [angle](double, const double t) {
+                 return -2. * std::pow(std::sin(0.5 * angle * t), 2);
+               }},
+              {sine, false, [angle](double, const double t) {
+                 return std::sin(angle * t);
+               }}};
+    }
+
     // --------------------------------------------------------------- cases
 
     using Parameters = ContactCaseParameters;
@@ -857,21 +871,10 @@ namespace NPT
         attach(c, c.all(0), 2, 2);
         hold(c, c.all(1), {0, 1, 2});
       };
-      model.body_height  = R;
-      const double angle = PI / 180.;
-      model.stages       = {{"approach", false, 1, {move(2, -1e-6 * R)}},
-                            {"press", false, 1, {load(2, -p.pressure * PI * R * R)}},
-                            {"twist",
-                             true,
-                             p.load_steps,
-                             {{0,
-                               false,
-                               [angle](double, const double t) {
-                           return -2. * std::pow(std::sin(0.5 * angle * t), 2);
-                         }},
-                              {1, false, [angle](double, const double t) {
-                           return std::sin(angle * t);
-                         }}}}};
+      model.body_height = R;
+      model.stages      = {{"approach", false, 1, {move(2, -1e-6 * R)}},
+                           {"press", false, 1, {load(2, -p.pressure * PI * R * R)}},
+                           {"twist", true, p.load_steps, turn(0, 1, PI / 180.)}};
       return model;
     }
 
@@ -929,17 +932,7 @@ namespace NPT
           p.stick_ratio * hertz.half_axis_x);
       model.stages = {{"approach", false, 1, {move(2, -0.25 * hertz.approach)}},
                       {"press", false, 5, {load(2, -P)}},
-                      {"twist",
-                       true,
-                       p.load_steps,
-                       {{0,
-                         false,
-                         [angle](double, const double t) {
-                           return -2. * std::pow(std::sin(0.5 * angle * t), 2);
-                         }},
-                        {1, false, [angle](double, const double t) {
-                           return std::sin(angle * t);
-                         }}}}};
+                      {"twist", true, p.load_steps, turn(0, 1, angle)}};
       return model;
     }
 
