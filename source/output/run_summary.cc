@@ -2,7 +2,6 @@
 // Writing and reading of summary.csv.
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/base/table_file.h>
 #include <npt_dealii/output/run_summary.h>
 
 #include <cstdio>
@@ -29,34 +28,51 @@ namespace NPT
 
 
 
+  const std::vector<std::string> &
+  run_summary_columns()
+  {
+    static const std::vector<std::string> columns = {"status",
+                                                     "reason",
+                                                     "stage",
+                                                     "load_factor",
+                                                     "steps",
+                                                     "newton_iterations",
+                                                     "cuts",
+                                                     "unknowns",
+                                                     "cpu_seconds",
+                                                     "message"};
+    return columns;
+  }
+
+
+
+  std::vector<TableCell>
+  run_summary_cells(const RunSummary &summary)
+  {
+    return {summary.status,
+            summary.reason,
+            summary.stage,
+            summary.load_factor,
+            summary.steps,
+            summary.newton_iterations,
+            summary.cuts,
+            summary.n_unknowns,
+            summary.cpu_seconds,
+            summary.message};
+  }
+
+
+
   void
   write_run_summary(const std::string &filename, const RunSummary &summary)
   {
     const std::string temporary = filename + ".part";
     {
       TableWriter table(temporary,
-                        {"status",
-                         "reason",
-                         "stage",
-                         "load_factor",
-                         "steps",
-                         "newton_iterations",
-                         "cuts",
-                         "unknowns",
-                         "cpu_seconds",
-                         "message"},
+                        run_summary_columns(),
                         {"How the run ended: last stage and the load factor "
                          "reached in it; sums over all accepted steps."});
-      table.add_row({summary.status,
-                     summary.reason,
-                     summary.stage,
-                     summary.load_factor,
-                     summary.steps,
-                     summary.newton_iterations,
-                     summary.cuts,
-                     summary.n_unknowns,
-                     summary.cpu_seconds,
-                     summary.message});
+      table.add_row(run_summary_cells(summary));
     }
     if (std::rename(temporary.c_str(), filename.c_str()) != 0)
       throw InputError("The file '" + filename + "' cannot be written.");

@@ -500,17 +500,9 @@ namespace NPT
     if (!cases.empty())
       for (const auto &value : cases[0].values)
         columns.push_back(value.first);
-    for (const char *name : {"status",
-                             "reason",
-                             "stage",
-                             "load_factor",
-                             "steps",
-                             "newton_iterations",
-                             "cuts",
-                             "cpu_seconds",
-                             "unknowns",
-                             "message"})
-      columns.push_back(name);
+    columns.insert(columns.end(),
+                   run_summary_columns().begin(),
+                   run_summary_columns().end());
     TableWriter table(
       filename,
       columns,
@@ -522,17 +514,7 @@ namespace NPT
         std::vector<TableCell> row = {c.folder};
         for (const auto &value : c.values)
           row.push_back(value.second);
-        const RunSummary &r = c.result;
-        for (const TableCell &cell : std::vector<TableCell>{r.status,
-                                                            r.reason,
-                                                            r.stage,
-                                                            r.load_factor,
-                                                            r.steps,
-                                                            r.newton_iterations,
-                                                            r.cuts,
-                                                            r.cpu_seconds,
-                                                            r.n_unknowns,
-                                                            r.message})
+        for (const TableCell &cell : run_summary_cells(c.result))
           row.push_back(cell);
         table.add_row(row);
       }

@@ -5,6 +5,7 @@
 #ifndef npt_dealii_output_run_summary_h
 #define npt_dealii_output_run_summary_h
 
+#include <npt_dealii/base/table_file.h>
 #include <npt_dealii/output/curve_writer.h>
 
 #include <string>
@@ -38,6 +39,14 @@ namespace NPT
   /// are left for the caller.
   RunSummary
   summarize_curve(const std::vector<CurveRow> &curve);
+
+  /// The columns of summary.csv; tables of many runs have them too.
+  const std::vector<std::string> &
+  run_summary_columns();
+
+  /// The values of a summary in these columns.
+  std::vector<TableCell>
+  run_summary_cells(const RunSummary &summary);
 
   /// Write a summary as a table of one row; the file appears complete or not at
   /// all.
