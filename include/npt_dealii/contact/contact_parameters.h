@@ -41,7 +41,7 @@ namespace NPT
   {
     double coefficient        = 0.3;  ///< mu [-]
     double tangential_penalty = 100.; ///< epsilon_T [N/mm^3]
-    /// "relative displacement" or "closest point", see SlipMeasure
+    /// "relative displacement" or "closest point", see ContactAssembler
     std::string slip_measure = "relative displacement";
 
     static void

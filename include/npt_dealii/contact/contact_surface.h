@@ -98,8 +98,8 @@ namespace NPT
     {
       return shift_;
     }
-    /// Piece that continues this one at the begin (0) or end (1) of the first
-    /// parameter, or -1.
+    /// Piece that continues this one at the begin (0) or end (1) of the
+    /// parameter along() the strand, or -1.
     int
     neighbor(const unsigned int side) const
     {
