@@ -8,6 +8,7 @@
 #include <npt_dealii/output/cell_fields.h>
 #include <npt_dealii/output/replace_file.h>
 #include <npt_dealii/solver/step_control.h>
+#include <npt_dealii/study/identification_report.h>
 #include <npt_dealii/top/numerical_material_test.h>
 
 #include <algorithm>

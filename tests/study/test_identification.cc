@@ -5,7 +5,7 @@
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/material/ellipticity.h>
 #include <npt_dealii/material/make_material.h>
-#include <npt_dealii/study/identification.h>
+#include <npt_dealii/study/identification_report.h>
 
 #include <catch2/catch.hpp>
 

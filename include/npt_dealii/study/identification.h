@@ -6,67 +6,18 @@
 #define npt_dealii_study_identification_h
 
 #include <npt_dealii/material/fiber_bundle_law.h>
+#include <npt_dealii/study/identification_parameters.h>
+#include <npt_dealii/study/material_curve.h>
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace NPT
 {
-  /**
-   * A test of the bundle: displacement gradients H and first Piola-Kirchhoff
-   * stresses P [MPa], fiber along direction 1. Components iJ are row major.
-   */
-  struct MaterialCurve
-  {
-    std::string                       name;
-    std::vector<dealii::Tensor<2, 3>> H;
-    std::vector<dealii::Tensor<2, 3>> P;
-
-    /// Which stresses were measured; a test rig does not see all nine.
-    std::array<bool, 9> measured{
-      {true, true, true, true, true, true, true, true, true}};
-  };
-
-  /**
-   * Read curves from a CSV file with a header: H11 ... H33 (missing columns:
-   * zero), P11 ... P33 [MPa] (missing columns: not measured), and optionally
-   * `test`, the name of the curve a row belongs to. Other columns are ignored.
-   * Without `test` the file is one curve with the name of the file.
-   *
-   * Throws InputError if there is no H or no P column, or no row.
-   */
-  std::vector<MaterialCurve>
-  read_material_curves(const std::string &filename);
-
-  /// Subsection "Identification".
-  struct IdentificationParameters
-  {
-    enum class Components
-    {
-      all,   ///< every measured stress
-      driven ///< stresses whose component of H is not zero in the curve
-    };
-
-    std::vector<std::string>      curves; ///< names; empty: all
-    std::map<std::string, double> weights;
-    Components                    components        = Components::all;
-    bool                          relative_to_curve = true;
-    bool                          positive_definite = true;
-    bool                          elliptic          = true;
-    double                        stability_margin  = 0.01; ///< [MPa]
-
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
-    void
-    parse_parameters(dealii::ParameterHandler &prm);
-  };
-
   struct IdentificationResult
   {
     static constexpr unsigned int n_constants = 6;
@@ -99,6 +50,14 @@ namespace NPT
     std::string              acoustic_place;
     std::vector<std::string> notes;
   };
+
+  /// The six constants as the entries of subsection "Fiber bundle material"
+  /// name them, in the order of all vectors here.
+  const std::vector<std::string> &
+  bundle_constant_names();
+
+  std::vector<double>
+  bundle_constant_values(const FiberBundleConstants &constants);
 
   /// The stress of all nine components by the law with given constants.
   dealii::Tensor<2, 3>
@@ -142,31 +101,6 @@ namespace NPT
   curve_errors(const std::vector<MaterialCurve> &curves,
                const IdentificationParameters   &parameters,
                const FiberBundleConstants       &constants);
-
-  /// A report of several lines for the log.
-  std::vector<std::string>
-  describe(const IdentificationResult &result);
-
-  /**
-   * Write the file that other parameter files include: subsection "Fiber
-   * bundle material" with the constants, and the report as comments.
-   */
-  void
-  write_material_file(const std::string          &filename,
-                      const IdentificationResult &result);
-
-  /**
-   * Write fit.csv, fit.gp and the pictures fit.svg, fit.png (test as points,
-   * fit as lines, tension left, shear right, as Fig. 8) into a folder.
-   *
-   * @param picture Call gnuplot.
-   * @return Empty, or a warning of one line.
-   */
-  std::string
-  write_fit(const std::string                &directory,
-            const std::vector<MaterialCurve> &curves,
-            const FiberBundleConstants       &constants,
-            const bool                        picture);
 } // namespace NPT
 
 #endif
