@@ -118,7 +118,7 @@ namespace NPT
     double
     seconds() const;
 
-    class Backend; ///< one per solver, private to the source file
+    class Backend; ///< one per solver, linear_solver_backend.h
 
   private:
     const LinearSolverParameters parameters;
