@@ -5,72 +5,15 @@
 #ifndef npt_dealii_top_contact_models_h
 #define npt_dealii_top_contact_models_h
 
-#include <npt_dealii/iga/iga_space.h>
 #include <npt_dealii/top/contact_benchmark_parameters.h>
-
-#include <deal.II/lac/affine_constraints.h>
+#include <npt_dealii/top/handle_couplings.h>
 
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace NPT
 {
-  /**
-   * Collects linear relations between the displacements of control points and
-   * a few further unknowns, the handles, by which bodies are held and moved.
-   * The first relation of an unknown counts; later ones are ignored, so that
-   * edges belong to the condition that is named first.
-   */
-  class HandleCouplings
-  {
-  public:
-    explicit HandleCouplings(const IGASpace<3> &space);
-
-    using Terms = std::vector<std::pair<unsigned int, double>>;
-
-    const IGASpace<3> &
-    space() const
-    {
-      return space_;
-    }
-    /// Unknown of a handle.
-    unsigned int
-    handle(const unsigned int k) const
-    {
-      return 3 * space_.n_control_points() + k;
-    }
-    /// Unknown of a displacement component.
-    static unsigned int
-    displacement(const unsigned int control_point, const unsigned int component)
-    {
-      return 3 * control_point + component;
-    }
-    /// unknown = sum of coefficient * other unknown; no terms: zero.
-    void
-    tie(const unsigned int unknown, const Terms &terms = {});
-
-    /// Control points of a face of a patch.
-    std::vector<unsigned int>
-    face(const unsigned int patch,
-         const unsigned int direction,
-         const unsigned int side) const;
-    /// Control points of a patch.
-    std::vector<unsigned int>
-    all(const unsigned int patch) const;
-
-    /// Close and return the relations.
-    const dealii::AffineConstraints<double> &
-    close();
-
-  private:
-    const IGASpace<3>                &space_;
-    dealii::AffineConstraints<double> constraints_;
-  };
-
-
-
   /// What a handle does in a stage: its value, or the force on it (on the whole
   /// body, see ContactModel::force_factor), from t = 0, where it is what it was
   /// before, to the end of the stage at t = 1.
