@@ -123,6 +123,7 @@ namespace NPT
     void
     compute_stress(HomogeneousRow &row) const;
 
+    // Results, solid_benchmark_results.cc.
     void
     begin_output();
     void
