@@ -5,80 +5,13 @@
 #ifndef npt_dealii_top_parameter_study_h
 #define npt_dealii_top_parameter_study_h
 
-#include <npt_dealii/base/parameter_file.h>
-#include <npt_dealii/study/parameter_loops.h>
-#include <npt_dealii/study/sweep.h>
+#include <npt_dealii/top/study_parameters.h>
 
 #include <iosfwd>
-#include <memory>
 #include <string>
-#include <vector>
 
 namespace NPT
 {
-  /**
-   * Parameters of `set Problem = parameter study`: subsection Study says what
-   * to do; all other entries are those of a plate test, with loops in their
-   * values where they are swept (see ParameterLoops), and are added to the
-   * file that the entry Base names.
-   */
-  struct StudyParameters
-  {
-    std::string kind; ///< sweep, work-precision or stability map
-    std::string title;
-    std::string directory;
-
-    unsigned int side_by_side = 0;
-    double       cpu_limit    = 0; ///< [s]
-    bool         repeat       = false;
-
-    std::string              x_column; ///< empty: of the last stage's target
-    std::vector<std::string> y_columns;
-    std::string              stage; ///< empty: the last one
-    std::vector<std::string> panels, axes, series;
-    std::vector<double>      accuracies;
-    unsigned int             mean_iterations = 0;
-
-    /// Entry Base and the plate test's entries, with their loops.
-    std::unique_ptr<ParameterLoops> loops;
-
-    /// All cases in the order of the loops, and what of each is needed later.
-    struct Details
-    {
-      unsigned int group = 0;     ///< number of the base file
-      std::string  last_stage;    ///< whose end is success
-      unsigned int component = 0; ///< 0..5, driven in the last stage
-    };
-    std::vector<SweepCase> cases;
-    std::vector<Details>   details;
-
-    /// Work-precision: reference cases by group, the finest last.
-    std::vector<std::vector<SweepCase>> references;
-    std::vector<std::string>            group_names;
-
-    /// The study as a documented file; base files are written relative to the
-    /// present folder.
-    std::string used_file;
-
-    /// As used_file for a file that will stand in another folder.
-    std::string
-    used_file_in(const std::string &folder) const;
-
-    /**
-     * Read and check the study and every single case of it.
-     *
-     * Throws InputError with one sentence for the first mistake, and the case
-     * in which it is one.
-     */
-    static StudyParameters
-    read(const ParameterText            &text,
-         const std::vector<std::string> &overrides = {});
-
-  private:
-    std::vector<std::string> base_files_; // by group, as found from here
-    std::string              documented_, reference_, rest_;
-  };
-
   /**
    * Run a study: all cases that are not finished, then tables and pictures.
    * Collective if started by mpirun.
