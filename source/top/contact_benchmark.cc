@@ -9,6 +9,7 @@
 #include <npt_dealii/output/gnuplot.h>
 #include <npt_dealii/solver/step_control.h>
 #include <npt_dealii/top/contact_benchmark.h>
+#include <npt_dealii/top/contact_step.h>
 
 #include <algorithm>
 #include <fstream>
@@ -180,16 +181,7 @@ namespace NPT
     friction_was_on_           = stage.friction;
     contact_->set_friction(stage.friction);
     if (friction_begins)
-      {
-        // Slip counts from here: the present closest points are the reference,
-        // with zero traction.
-        contact_->start_step(u_);
-        contact_->evaluate(u_);
-        auto history = contact_->history();
-        contact_->commit();
-        history.closest = contact_->history().closest;
-        contact_->set_history(history);
-      }
+      start_friction(*contact_, u_);
   }
 
 
@@ -272,44 +264,18 @@ namespace NPT
         problem.prepare_tangent = prepare_tangent;
         problem.solve           = solve;
         problem.force_scale     = [&]() { return force_scale_; };
-        report_                 = solve_newton(parameters_.newton, problem, x);
-        if (parameters_.contact.augmented())
-          augment(problem, x);
+        const auto report       = solve_contact_step(parameters_.newton,
+                                               parameters_.contact,
+                                               problem,
+                                               {contact_.get()},
+                                               x);
+        report_                 = report.newton;
         return true;
       }
     catch (const LoadStepFailure &failure)
       {
         failure_reason_ = failure.what();
         return false;
-      }
-  }
-
-
-
-  /*
-   * Augmented Lagrangian: repeat Newton's method with the tractions of the
-   * last solution as multipliers until these change no more, (A17).
-   */
-  void
-  ContactBenchmark::augment(const NewtonProblem &problem, Vector<double> &x)
-  {
-    const ContactParameters &contact = parameters_.contact;
-    for (unsigned int k = 0;; ++k)
-      {
-        const auto violation = contact_->violation();
-        if (violation.gap <= contact.penetration_tolerance &&
-            violation.slip <= contact.stick_tolerance)
-          return;
-        if (k == contact.max_augmentations)
-          throw NewtonNotConverged("augmentation limit",
-                                   "gap " + short_number(violation.gap) +
-                                     " mm, stick drift " +
-                                     short_number(violation.slip) +
-                                     " mm after " + std::to_string(k) +
-                                     " augmentations.");
-        contact_->augment();
-        report_.iterations +=
-          solve_newton(parameters_.newton, problem, x).iterations;
       }
   }
 

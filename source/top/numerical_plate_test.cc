@@ -175,7 +175,7 @@ namespace NPT
             continue;
           }
         commit_history(stage, trial); // slip becomes "old" only here
-        control.accept(report_.iterations);
+        control.accept(report_.newton.iterations);
         log_.progress((stages_done_ + control.load_factor()) /
                         parameters_.load_programme.stages.size(),
                       cpu_seconds());
@@ -454,20 +454,8 @@ namespace NPT
     log_.show_components(shown);
 
     if (friction_begins)
-      {
-        // Slip starts from here: the present closest points are the reference
-        // (zero traction, zero slip).
-        for (const auto &contact : contacts_)
-          {
-            contact->start_step(u_);
-            contact->evaluate(u_);
-            auto history = contact->history();
-            contact->commit();
-            const auto closest = contact->history().closest;
-            history.closest    = closest;
-            contact->set_history(history);
-          }
-      }
+      for (const auto &contact : contacts_)
+        start_friction(*contact, u_);
   }
 
 
@@ -580,10 +568,11 @@ namespace NPT
         problem.prepare_tangent = prepare_tangent;
         problem.solve           = solve;
         problem.force_scale     = [&]() { return force_scale_; };
-        report_                 = solve_newton(parameters_.newton, problem, x);
-        final_residual_         = report_.residual_norms.back();
-        if (parameters_.contact.augmented())
-          augment(problem, x);
+        std::vector<ContactAssembler<3> *> contacts;
+        for (const auto &contact : contacts_)
+          contacts.push_back(contact.get());
+        report_ = solve_contact_step(
+          parameters_.newton, parameters_.contact, problem, contacts, x);
         if (parameters_.stability.check_ellipticity)
           {
             TimerOutput::Scope timer(timer_, "Ellipticity");
@@ -600,57 +589,6 @@ namespace NPT
       {
         failure_reason_ = failure.what();
         return false;
-      }
-  }
-
-
-
-  /*
-   * Augmented Lagrangian: repeat Newton's method with the tractions of the
-   * last solution as multipliers until these change no more, (A17).
-   */
-  void
-  NumericalPlateTest::augment(const NewtonProblem &problem, Vector<double> &x)
-  {
-    const ContactParameters &contact       = parameters_.contact;
-    double                   previous_gap  = std::numeric_limits<double>::max();
-    double                   previous_slip = previous_gap;
-    for (unsigned int k = 0;; ++k)
-      {
-        double gap = 0, slip = 0;
-        for (const auto &assembler : contacts_)
-          {
-            const auto violation = assembler->violation();
-            gap                  = std::max(gap, violation.gap);
-            slip                 = std::max(slip, violation.slip);
-          }
-        if (gap <= contact.penetration_tolerance &&
-            slip <= contact.stick_tolerance)
-          return;
-        if (k == contact.max_augmentations)
-          {
-            std::ostringstream detail;
-            detail << "gap " << gap << " mm, stick drift " << slip
-                   << " mm after " << k
-                   << " augmentations. A larger penalty takes fewer of them.";
-            throw NewtonNotConverged("augmentation limit", detail.str());
-          }
-        // A penalty that is small against the stiffness of the bundles gains
-        // little per repetition: after 25 of them let it grow for the rest of
-        // the step.
-        const bool slow =
-          gap > std::max(contact.penetration_tolerance, 0.5 * previous_gap) ||
-          slip > std::max(contact.stick_tolerance, 0.5 * previous_slip);
-        const double growth = k >= 25 && slow ? 4. : 1.;
-        previous_gap        = gap;
-        previous_slip       = slip;
-        for (const auto &assembler : contacts_)
-          assembler->augment(growth);
-        const NewtonReport report =
-          solve_newton(parameters_.newton, problem, x);
-        // The order is that of the first solution, the effort that of all.
-        report_.iterations += report.iterations;
-        final_residual_ = report.residual_norms.back();
       }
   }
 
@@ -705,8 +643,8 @@ namespace NPT
         contact->commit();
       }
     row.stored_energy     = bodies_->stored_energy(u_trial_);
-    row.newton_iterations = report_.iterations;
-    row.newton_order      = report_.order();
+    row.newton_iterations = report_.newton.iterations;
+    row.newton_order      = report_.newton.order();
     row.cuts              = cuts_;
     cuts_                 = 0;
 
@@ -749,7 +687,7 @@ namespace NPT
     curve_.push_back(row);
     if (curve_writer_)
       curve_writer_->write(row);
-    log_.step(row, final_residual_);
+    log_.step(row, report_.final_residual);
   }
 
 

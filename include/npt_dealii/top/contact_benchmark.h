@@ -117,8 +117,6 @@ namespace NPT
     bool
     solve_load_step(const double load_factor);
     void
-    augment(const NewtonProblem &problem, dealii::Vector<double> &x);
-    void
     accept_load_step(const ContactStage &stage, const double load_factor);
     void
     assemble_residual(const dealii::Vector<double> &u,

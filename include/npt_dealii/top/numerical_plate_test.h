@@ -18,7 +18,7 @@
 #include <npt_dealii/output/run_log.h>
 #include <npt_dealii/solver/condensed_system.h>
 #include <npt_dealii/solver/linear_solver.h>
-#include <npt_dealii/solver/newton.h>
+#include <npt_dealii/top/contact_step.h>
 #include <npt_dealii/top/deformable_bodies.h>
 #include <npt_dealii/top/parameters.h>
 
@@ -101,8 +101,6 @@ namespace NPT
     bool
     solve_load_step(const LoadStage &stage, const double load_factor);
     void
-    augment(const NewtonProblem &problem, dealii::Vector<double> &x);
-    void
     commit_history(const LoadStage &stage, const double load_factor);
 
     /// Residual of the full system at u: bundles, contact.
@@ -164,8 +162,7 @@ namespace NPT
 
     // The trial state of the last successful solve_load_step().
     dealii::Vector<double> u_trial_, residual_;
-    NewtonReport           report_;
-    double                 final_residual_ = 0;
+    ContactStepReport      report_;
 
     std::vector<CurveRow>                       curve_;
     std::unique_ptr<CurveWriter>                curve_writer_;
