@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Rigidity and hysteresis of closed loops.
+// Rigidity and hysteresis of closed loops, as numbers, as text, as a table.
 
 #include <npt_dealii/output/hysteresis.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
 
 namespace NPT
 {
@@ -102,5 +105,43 @@ namespace NPT
     };
     loop.energy_growth = energy(end) - energy(start);
     return loop;
+  }
+
+
+
+  std::string
+  describe(const HysteresisLoop &loop)
+  {
+    static const char *rigidity[] = {"", "", "G", "B", "B", "D"};
+    static const char *width[]    = {"", "", "2HG", "2HB", "2HB", "2HT"};
+    const std::string  number     = std::to_string(loop.component + 1);
+    const bool         curvature  = loop.component >= 3;
+    std::ostringstream text;
+    text.precision(4);
+    text << "Loop of n" << number << " over H" << number << " to +-"
+         << loop.amplitude << (curvature ? " /mm" : "") << ": rigidity "
+         << rigidity[loop.component] << " = " << loop.rigidity
+         << (curvature ? " N mm" : " N/mm") << ", hysteresis "
+         << width[loop.component] << " = " << loop.width
+         << (curvature ? " N" : " N/mm") << ", loop area " << loop.loop_area
+         << " N/mm = dissipation " << loop.dissipation
+         << " + growth of the stored energy " << loop.energy_growth;
+    return text.str();
+  }
+
+
+
+  void
+  write_hysteresis(const std::string &filename, const HysteresisLoop &loop)
+  {
+    std::ofstream file(filename);
+    file.precision(10);
+    file << "# Last closed loop of n over H: rigidity at 0.2 to 0.6 of the "
+            "amplitude, width at 0.4 of it, after Kawabata.\n"
+            "component,amplitude,rigidity,width,loop_area,dissipation,"
+            "energy_growth\n"
+         << 'H' << loop.component + 1 << ',' << loop.amplitude << ','
+         << loop.rigidity << ',' << loop.width << ',' << loop.loop_area << ','
+         << loop.dissipation << ',' << loop.energy_growth << '\n';
   }
 } // namespace NPT

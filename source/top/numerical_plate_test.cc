@@ -4,6 +4,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/output/cell_fields.h>
+#include <npt_dealii/output/hysteresis.h>
 #include <npt_dealii/output/plots.h>
 #include <npt_dealii/solver/step_control.h>
 #include <npt_dealii/top/numerical_plate_test.h>
@@ -193,10 +194,10 @@ namespace NPT
   void
   NumericalPlateTest::give_up(const StageFailed &failure)
   {
-    const auto  lowest  = bodies_->lowest_acoustic_eigenvalue(u_);
-    std::string message = failure.what();
     if (failure.reason() == "loss of ellipticity")
       throw failure;
+    const auto  lowest  = bodies_->lowest_acoustic_eigenvalue(u_);
+    std::string message = failure.what();
     message += lowest.lowest.value > 0. ?
                  " The material is elliptic at the last accepted step (" :
                  " The material has lost its ellipticity (";
@@ -846,7 +847,11 @@ namespace NPT
   {
     log_.finish();
     if (const auto loop = last_loop(curve_, cell_->area()))
-      report_loop(*loop);
+      {
+        log_.line(describe(*loop));
+        if (!directory_.empty())
+          write_hysteresis(directory_ + "/hysteresis.csv", *loop);
+      }
     if (directory_.empty())
       return;
     if (parameters_.output.picture)
@@ -862,39 +867,6 @@ namespace NPT
               " free unknowns, " +
               std::to_string(system_.free_matrix().n_nonzeros()) + " nonzeros");
     timer_.print_summary();
-  }
-
-
-
-  void
-  NumericalPlateTest::report_loop(const HysteresisLoop &loop)
-  {
-    static const char *rigidity[] = {"", "", "G", "B", "B", "D"};
-    static const char *width[]    = {"", "", "2HG", "2HB", "2HB", "2HT"};
-    const std::string  number     = std::to_string(loop.component + 1);
-    const bool         curvature  = loop.component >= 3;
-    std::ostringstream text;
-    text.precision(4);
-    text << "Loop of n" << number << " over H" << number << " to +-"
-         << loop.amplitude << (curvature ? " /mm" : "") << ": rigidity "
-         << rigidity[loop.component] << " = " << loop.rigidity
-         << (curvature ? " N mm" : " N/mm") << ", hysteresis "
-         << width[loop.component] << " = " << loop.width
-         << (curvature ? " N" : " N/mm") << ", loop area " << loop.loop_area
-         << " N/mm = dissipation " << loop.dissipation
-         << " + growth of the stored energy " << loop.energy_growth;
-    log_.line(text.str());
-    if (directory_.empty())
-      return;
-    std::ofstream file(directory_ + "/hysteresis.csv");
-    file.precision(10);
-    file << "# Last closed loop of n over H: rigidity at 0.2 to 0.6 of the "
-            "amplitude, width at 0.4 of it, after Kawabata.\n"
-            "component,amplitude,rigidity,width,loop_area,dissipation,"
-            "energy_growth\n"
-         << 'H' << number << ',' << loop.amplitude << ',' << loop.rigidity
-         << ',' << loop.width << ',' << loop.loop_area << ','
-         << loop.dissipation << ',' << loop.energy_growth << '\n';
   }
 
 

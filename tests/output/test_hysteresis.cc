@@ -77,3 +77,16 @@ TEST_CASE("A curve that does not end with a loop has no figures", "[output]")
   curve.pop_back();
   CHECK(!NPT::last_loop(curve, 10.));
 }
+
+
+
+TEST_CASE("The report of a loop names rigidity and width with their units",
+          "[output]")
+{
+  const auto bending = NPT::last_loop(parallelogram(3, 0.25, 3., 0.4), 10.);
+  REQUIRE(bending);
+  const std::string text = NPT::describe(*bending);
+  CHECK(text.find("Loop of n4 over H4 to +-0.25 /mm") == 0);
+  CHECK(text.find("B = 3 N mm") != std::string::npos);
+  CHECK(text.find("2HB = 0.4 N,") != std::string::npos);
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Claims about the numerical plate test as a whole, on a coarse woven cell.
 
+#include <npt_dealii/output/hysteresis.h>
 #include <npt_dealii/top/numerical_plate_test.h>
 
 #include <catch2/catch.hpp>

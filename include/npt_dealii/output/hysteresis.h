@@ -7,6 +7,8 @@
 #include <npt_dealii/output/curve_writer.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace NPT
 {
@@ -46,6 +48,14 @@ namespace NPT
    */
   std::optional<HysteresisLoop>
   last_loop(const std::vector<CurveRow> &curve, const double area);
+
+  /// One sentence for the log.
+  std::string
+  describe(const HysteresisLoop &loop);
+
+  /// Write the figures of a loop as a table of one row.
+  void
+  write_hysteresis(const std::string &filename, const HysteresisLoop &loop);
 } // namespace NPT
 
 #endif

@@ -14,7 +14,6 @@
 #include <npt_dealii/iga/iga_space.h>
 #include <npt_dealii/material/solid_kernel.h>
 #include <npt_dealii/output/curve_writer.h>
-#include <npt_dealii/output/hysteresis.h>
 #include <npt_dealii/output/run_log.h>
 #include <npt_dealii/solver/condensed_system.h>
 #include <npt_dealii/solver/linear_solver.h>
@@ -119,8 +118,6 @@ namespace NPT
     output_fields(const std::string &stage);
     void
     finish_output();
-    void
-    report_loop(const HysteresisLoop &loop);
     double
     cpu_seconds() const;
 
