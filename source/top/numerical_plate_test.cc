@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Numerical plate testing of a woven fabric: the method on one page in run(),
-// its steps below in the order in which they are used.
+// its steps below in the order in which they are used. What is shown of it is
+// in numerical_plate_test_results.cc.
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/output/cell_fields.h>
-#include <npt_dealii/output/hysteresis.h>
-#include <npt_dealii/output/plots.h>
 #include <npt_dealii/solver/step_control.h>
+#include <npt_dealii/top/cell_contacts.h>
 #include <npt_dealii/top/numerical_plate_test.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <sstream>
 
 namespace NPT
@@ -57,98 +55,10 @@ namespace NPT
       {
         run_stage(stage);
         if (parameters_.output.fields != "none")
-          output_fields(stage.name);
+          output_fields();
         stages_done_ += 1;
       }
     finish_output();
-  }
-
-
-
-  void
-  NumericalPlateTest::preview()
-  {
-    make_unit_cell();
-    setup_system();
-
-    // Straight bundles that just touch, warp above.
-    const auto lift = [&](const FiberBundle &bundle) {
-      const double half = 0.5 * cell_->weaving_offset();
-      return bundle.family == FiberBundle::Family::warp ? half :
-             bundle.family == FiberBundle::Family::weft ? -half :
-                                                          0.;
-    };
-    Vector<double>    &u     = u_;
-    const IGASpace<3> &space = bodies_->space();
-    for (unsigned int b = 0; b < cell_->bundles().size(); ++b)
-      for (unsigned int l = 0; l < space.patch(b).n_control_points(); ++l)
-        u[3 * space.control_point(b, l) + 2] = lift(cell_->bundles()[b]);
-
-    double volume = 0;
-    for (const double integral : bodies_->integrals_of_functions(false))
-      volume += integral;
-    const bool   laminate = parameters_.cell.type == "laminate";
-    const double layer    = cell_->area() * (laminate ? 1. : 2.) *
-                         (laminate ? parameters_.cell.bundle_thickness.warp :
-                                     cell_->weaving_offset());
-    std::ostringstream text;
-    text << "Geometry only: the cell stands for " << cell_->area()
-         << " mm^2 of fabric; volume of its bundles " << volume << " mm^3, "
-         << 100 * volume / layer << " % of the layer of thickness "
-         << layer / cell_->area() << " mm.";
-    log_.line(text.str());
-    if (!directory_.empty())
-      {
-        write_vtu(
-          directory_ + "/geometry.vtu",
-          make_bundle_fields(space, bodies_->laws(), bodies_->gradients(), u));
-        // Pieces of neighboring cells whose surfaces are candidates for
-        // contact. A glide maps a straight bundle onto its translate.
-        std::vector<DeformablePart>                        parts;
-        std::vector<double>                                lifts;
-        std::vector<std::pair<unsigned int, Tensor<1, 3>>> known;
-        for (const ContactCandidates &pair : cell_->contacts())
-          for (const SurfaceImage &image : pair.primaries)
-            {
-              const Tensor<1, 3> &a      = image.operation.a;
-              bool                is_new = a.norm() > 0;
-              for (const auto &[bundle, shift] : known)
-                is_new = is_new &&
-                         (bundle != image.bundle || (shift - a).norm() > 1e-9);
-              if (!is_new)
-                continue;
-              known.emplace_back(image.bundle, a);
-              const FiberBundle &bundle = cell_->bundles()[image.bundle];
-              NURBSPatch<3>      patch  = bundle.patch;
-              patch.transform([&](const dealii::Point<3> &P) { return P + a; });
-              parts.push_back(
-                {patch,
-                 make_material<3>(parameters_.material, bundle.direction),
-                 static_cast<unsigned int>(parts.size()),
-                 "image"});
-              lifts.push_back(lift(bundle));
-            }
-        if (!parts.empty())
-          {
-            const DeformableBodies images(std::move(parts),
-                                          parameters_.mesh.basis);
-            Vector<double>         w(images.n_displacements());
-            for (unsigned int b = 0; b < lifts.size(); ++b)
-              for (unsigned int l = 0;
-                   l < images.space().patch(b).n_control_points();
-                   ++l)
-                w[3 * images.space().control_point(b, l) + 2] = lifts[b];
-            write_vtu(directory_ + "/images.vtu",
-                      make_bundle_fields(
-                        images.space(), images.laws(), images.gradients(), w));
-          }
-        log_.line("Written: " + directory_ + "/geometry.vtu" +
-                  (lifts.empty() ?
-                     "." :
-                     ", and images.vtu with the pieces of neighboring cells "
-                     "that its bundles may touch."));
-      }
-    log_.finish();
   }
 
 
@@ -181,33 +91,8 @@ namespace NPT
                         parameters_.load_programme.stages.size(),
                       cpu_seconds());
         if (parameters_.output.fields == "steps" && !control.finished())
-          output_fields(stage.name);
+          output_fields();
       }
-  }
-
-
-
-  /*
-   * Whatever ended the stage: a material that lost its ellipticity before is
-   * the likelier cause, so that is looked up and said.
-   */
-  void
-  NumericalPlateTest::give_up(const StageFailed &failure)
-  {
-    if (failure.reason() == "loss of ellipticity")
-      throw failure;
-    const auto  lowest  = bodies_->lowest_acoustic_eigenvalue(u_);
-    std::string message = failure.what();
-    message += lowest.lowest.value > 0. ?
-                 " The material is elliptic at the last accepted step (" :
-                 " The material has lost its ellipticity (";
-    message += bodies_->describe(lowest) + ").";
-    throw StageFailed(message,
-                      lowest.lowest.value > 0. ? failure.reason() :
-                                                 "loss of ellipticity",
-                      failure.stage(),
-                      failure.load_factor(),
-                      failure.n_cuts());
   }
 
 
@@ -249,93 +134,16 @@ namespace NPT
   {
     TimerOutput::Scope timer(timer_, "Set up");
 
-    // Surfaces that may touch: faces of base bundles against images.
-    std::map<std::array<unsigned int, 3>, const IGASurface<3> *> faces;
-
-    const auto face = [&](const unsigned int bundle,
-                          const unsigned int direction,
-                          const unsigned int side) {
-      const IGASurface<3> *&surface = faces[{{bundle, direction, side}}];
-      if (surface == nullptr)
-        {
-          surfaces_.push_back(std::make_unique<IGASurface<3>>(
-            bodies_->space(), bundle, direction, side));
-          surface = surfaces_.back().get();
-        }
-      return surface;
-    };
-    for (const ContactCandidates &pair : cell_->contacts())
-      {
-        std::vector<ContactSurface<3>> primaries;
-        for (const SurfaceImage &image : pair.primaries)
-          {
-            const IGASurface<3> &surface =
-              *face(image.bundle, image.direction, image.side);
-            GhostSurface ghost;
-            ghost.operation     = image.operation;
-            ghost.offset_sign   = image.offset_sign;
-            ghost.first_unknown = macro_.n_unknowns();
-            std::vector<unsigned int> first_dof;
-            for (unsigned int l = 0; l < surface.n_control_points(); ++l)
-              {
-                ghost.control_points.push_back(surface.control_point(l));
-                ghost.reference.push_back(
-                  image.operation(surface.reference_position(l)));
-                first_dof.push_back(ghost.first_unknown + 3 * l);
-              }
-            macro_.n_ghosts += 3 * surface.n_control_points();
-            const bool mirrored = image.operation.Q[0] * image.operation.Q[1] *
-                                    image.operation.Q[2] <
-                                  0;
-            primaries.emplace_back(surface,
-                                   ghost.reference,
-                                   first_dof,
-                                   mirrored);
-            primaries.back().set_edge_radius(
-              parameters_.contact.edge_radius *
-              parameters_.cell.bundle_thickness.smaller());
-            ghosts_.push_back(ghost);
-          }
-        // Pieces of one strand continue each other.
-        for (unsigned int i = 0; i < primaries.size(); ++i)
-          {
-            const SurfaceImage &image        = pair.primaries[i];
-            int                 neighbors[2] = {-1, -1};
-            for (unsigned int j = 0; j < primaries.size(); ++j)
-              if (pair.primaries[j].strand == image.strand)
-                {
-                  if (pair.primaries[j].period == image.period - 1)
-                    neighbors[0] = j;
-                  if (pair.primaries[j].period == image.period + 1)
-                    neighbors[1] = j;
-                }
-            primaries[i].set_strand(image.strand,
-                                    image.period,
-                                    neighbors[0],
-                                    neighbors[1],
-                                    image.direction == 2 ? 0 : 1);
-          }
-        // The edges of crimped neighbors cross like scissors and touch over a
-        // fraction of an element: averages over control points would see that
-        // only when they are deep in each other, Gauss points see it at once.
-        ContactParameters contact_parameters = parameters_.contact;
-        if (pair.direction != 2)
-          contact_parameters.method = "KTS";
-        contacts_.push_back(std::make_unique<ContactAssembler<3>>(
-          ContactSurface<3>(
-            *face(pair.secondary_bundle, pair.direction, pair.secondary_side)),
-          primaries,
-          contact_parameters,
-          parameters_.friction,
-          parameters_.contact.maximum_penetration *
-            parameters_.cell.bundle_thickness.smaller(),
-          // Side contact is counted once per bundle, see FabricCell.
-          pair.direction == 2 ?
-            [&](const dealii::Point<3> &X) {
-              return cell_->multiplicity(pair.secondary_bundle, X);
-            } :
-            ContactAssembler<3>::Multiplicity()));
-      }
+    CellContacts contacts =
+      make_cell_contacts(*cell_,
+                         bodies_->space(),
+                         parameters_.contact,
+                         parameters_.friction,
+                         parameters_.cell.bundle_thickness.smaller(),
+                         macro_);
+    surfaces_      = std::move(contacts.surfaces);
+    contacts_      = std::move(contacts.assemblers);
+    ghosts_        = std::move(contacts.ghosts);
     linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
 
     // Start: straight bundles whose contact partners are held one (mean)
@@ -655,31 +463,7 @@ namespace NPT
     load_factor_          = load_factor;
     has_previous_         = true;
     if (stage.type != LoadStage::Type::load && load_factor == 1.)
-      {
-        // Weaving has ended here: from now on bending and torsion refer to
-        // the woven positions of the material points, without what H has
-        // stretched or sheared, and with the mid-plane at their mean height so
-        // that they are cell-centered wherever the pin has put the cell.
-        const auto weight = bodies_->integrals_of_functions(true);
-        woven_            = bodies_->space().control_points();
-        double mean = 0, volume = 0;
-        for (unsigned int A = 0; A < woven_.size(); ++A)
-          {
-            Tensor<1, 3> w;
-            for (unsigned int i = 0; i < 3; ++i)
-              w[i] = u_[3 * A + i];
-            for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
-              w -=
-                u_[macro_.mode(n)] *
-                macroscopic_displacement(n,
-                                         bodies_->space().control_points()[A]);
-            woven_[A] += w;
-            mean += weight[A] * woven_[A][2];
-            volume += weight[A];
-          }
-        for (dealii::Point<3> &Z : woven_)
-          Z[2] -= mean / volume;
-      }
+      record_woven_positions(); // weaving has ended here
 
     const Resultants averages = compute_averages(u_);
     row.N                     = averages.N;
@@ -689,6 +473,37 @@ namespace NPT
     if (curve_writer_)
       curve_writer_->write(row);
     log_.step(row, report_.final_residual);
+  }
+
+
+
+  /*
+   * After weaving, bending and torsion refer to the woven positions of the
+   * material points, without what H has stretched or sheared, and with the
+   * mid-plane at their mean height so that they are cell-centered wherever the
+   * pin has put the cell.
+   */
+  void
+  NumericalPlateTest::record_woven_positions()
+  {
+    const auto weight = bodies_->integrals_of_functions(true);
+    woven_            = bodies_->space().control_points();
+    double mean = 0, volume = 0;
+    for (unsigned int A = 0; A < woven_.size(); ++A)
+      {
+        Tensor<1, 3> w;
+        for (unsigned int i = 0; i < 3; ++i)
+          w[i] = u_[3 * A + i];
+        for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+          w -=
+            u_[macro_.mode(n)] *
+            macroscopic_displacement(n, bodies_->space().control_points()[A]);
+        woven_[A] += w;
+        mean += weight[A] * woven_[A][2];
+        volume += weight[A];
+      }
+    for (dealii::Point<3> &Z : woven_)
+      Z[2] -= mean / volume;
   }
 
 
@@ -799,74 +614,6 @@ namespace NPT
       sum.M += bodies_->interpolate(point, Z3) * point.P * point.dV;
     });
     return complete_by_symmetry(*cell_, sum);
-  }
-
-
-
-  void
-  NumericalPlateTest::output_fields(const std::string &stage)
-  {
-    if (directory_.empty())
-      return;
-    TimerOutput::Scope timer(timer_, "Output");
-    const double       time = stages_done_ + load_factor_;
-    (void)stage;
-    std::ostringstream number;
-    number.width(4);
-    number.fill('0');
-    number << curve_.size();
-
-    const std::string bundles = "bundles-" + number.str() + ".vtu";
-    write_vtu(directory_ + "/" + bundles,
-              make_bundle_fields(
-                bodies_->space(), bodies_->laws(), bodies_->gradients(), u_));
-    bundle_files_.emplace_back(time, bundles);
-    write_pvd(directory_ + "/fields.pvd", bundle_files_);
-
-    for (unsigned int k = 0; k < contacts_.size(); ++k)
-      {
-        const std::string name =
-          "contact-" + std::to_string(k) + "-" + number.str() + ".vtu";
-        const ContactCandidates &pair = cell_->contacts()[k];
-        write_vtu(directory_ + "/" + name,
-                  make_contact_fields(bodies_->space(),
-                                      pair.secondary_bundle,
-                                      pair.direction,
-                                      pair.secondary_side,
-                                      *contacts_[k],
-                                      u_));
-        contact_files_.emplace_back(time, name);
-      }
-    write_pvd(directory_ + "/contact.pvd", contact_files_);
-  }
-
-
-
-  void
-  NumericalPlateTest::finish_output()
-  {
-    log_.finish();
-    if (const auto loop = last_loop(curve_, cell_->area()))
-      {
-        log_.line(describe(*loop));
-        if (!directory_.empty())
-          write_hysteresis(directory_ + "/hysteresis.csv", *loop);
-      }
-    if (directory_.empty())
-      return;
-    if (parameters_.output.picture)
-      {
-        TimerOutput::Scope timer(timer_, "Output");
-        const std::string  warning = plot_curves(directory_);
-        if (!warning.empty())
-          log_.warning(warning);
-      }
-    log_.line("Factorizations: " + std::to_string(linear_solver_->n_numeric()) +
-              " (" + std::to_string(linear_solver_->n_symbolic()) +
-              " new patterns), " + std::to_string(system_.n_free()) +
-              " free unknowns, " +
-              std::to_string(system_.free_matrix().n_nonzeros()) + " nonzeros");
-    timer_.print_summary();
   }
 
 

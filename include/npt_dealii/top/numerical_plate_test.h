@@ -88,9 +88,6 @@ namespace NPT
     setup_system();
     void
     run_stage(const LoadStage &stage);
-    /// Throw the failure of a stage again, with the state of the material.
-    [[noreturn]] void
-    give_up(const StageFailed &failure);
 
     /// Couplings and prescribed unknowns of a stage.
     void
@@ -101,6 +98,8 @@ namespace NPT
     solve_load_step(const LoadStage &stage, const double load_factor);
     void
     commit_history(const LoadStage &stage, const double load_factor);
+    void
+    record_woven_positions();
 
     /// Residual of the full system at u: bundles, contact.
     void
@@ -114,10 +113,15 @@ namespace NPT
     Resultants
     compute_averages(const dealii::Vector<double> &u) const;
 
+    // Results, numerical_plate_test_results.cc.
     void
-    output_fields(const std::string &stage);
+    output_fields();
     void
     finish_output();
+    /// Throw the failure of a stage again, with the state of the material.
+    [[noreturn]] void
+    give_up(const StageFailed &failure);
+
     double
     cpu_seconds() const;
 
