@@ -2,6 +2,7 @@
 // Finding loops in values and putting values in their places.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/message_words.h>
 #include <npt_dealii/study/parameter_loops.h>
 
 #include <deal.II/base/utilities.h>
@@ -13,20 +14,10 @@
 
 namespace NPT
 {
-  using dealii::Utilities::trim;
   using Kind = ParameterText::Kind;
 
   namespace
   {
-    std::string
-    joined(const std::vector<std::string> &path)
-    {
-      std::string result;
-      for (const std::string &name : path)
-        result += (result.empty() ? "" : "/") + name;
-      return result;
-    }
-
     // Call visit(path, statement) for every `set`.
     template <typename Text, typename Visitor>
     void
@@ -44,7 +35,7 @@ namespace NPT
               break;
             case Kind::set:
               path.push_back(statement.name);
-              visit(joined(path), statement);
+              visit(joined(path, "/"), statement);
               path.pop_back();
               break;
           }
@@ -143,7 +134,7 @@ namespace NPT
         const auto parts = dealii::Utilities::split_string_list(loop.path, '/');
         for (std::size_t n = 1; n <= parts.size(); ++n)
           {
-            loop.name = joined({parts.end() - n, parts.end()});
+            loop.name = joined({parts.end() - n, parts.end()}, "/");
             if (std::count_if(loops_.begin(),
                               loops_.end(),
                               [&](const ParameterLoop &other) {
@@ -361,7 +352,7 @@ namespace NPT
         if (statement.kind == Kind::subsection)
           {
             path.push_back(statement.name);
-            if (inside == 0 && joined(path) == wanted)
+            if (inside == 0 && joined(path, "/") == wanted)
               {
                 inside = path.size();
                 continue;
