@@ -14,23 +14,24 @@ namespace NPT
   namespace
   {
     template <int m>
-    using Span = std::array<unsigned int, m>;
+    using Segment = std::array<unsigned int, m>;
 
-    // Surface point and derivatives at u with the polynomial of a given span.
+    // Surface point and derivatives at u with the polynomial of a given
+    // segment.
     template <int dim>
     void
     evaluate_geometry(const ContactSurface<dim>         &surface,
                       const std::vector<Point<dim>>     &positions,
                       const Point<dim>                  &point,
                       const std::array<double, dim - 1> &u,
-                      const Span<dim - 1>               &span,
+                      const Segment<dim - 1>            &segment,
                       const unsigned int                 n_derivatives,
                       ClosestPoint<dim>                 &c)
     {
       constexpr int m = dim - 1;
-      surface.surface().evaluate(u, n_derivatives, c.shape, &span);
-      c.u    = u;
-      c.span = span;
+      surface.surface().evaluate(u, n_derivatives, c.shape, &segment);
+      c.u       = u;
+      c.segment = segment;
 
       const unsigned int n = c.shape.lattice.size();
       Tensor<1, dim>     x;
@@ -55,15 +56,17 @@ namespace NPT
       c.r = point - x;
     }
 
-    // Span of the piece [low, high] that contains u; at the upper end of the
-    // piece the last span of the piece, not the first of the next one.
+    // Segment of the piece [low, high] that contains u; at the upper end of
+    // the piece the last one of the piece, not the first of the next one.
+    template <int dim>
     unsigned int
-    span_in_piece(const KnotVector                &knots,
-                  const std::pair<double, double> &piece,
-                  const double                     u)
+    segment_in_piece(const IGASurface<dim>           &face,
+                     const unsigned int               direction,
+                     const std::pair<double, double> &piece,
+                     const double                     u)
     {
-      unsigned int e = knots.find_span(u);
-      while (e > 0 && knots.breaks()[e] >= piece.second)
+      unsigned int e = face.find_segment(direction, u);
+      while (e > 0 && face.segment_breaks(direction)[e] >= piece.second)
         --e;
       return e;
     }
@@ -114,15 +117,15 @@ namespace NPT
     const IGASurface<dim> &face = surface.surface();
 
     std::array<std::pair<double, double>, m> domain, piece;
-    std::array<double, m>                    u    = start;
-    Span<m>                                  span = {};
+    std::array<double, m>                    u       = start;
+    Segment<m>                               segment = {};
     for (int k = 0; k < m; ++k)
       {
-        const KnotVector &knots = face.knot_vector(k);
-        domain[k] = {knots.breaks().front(), knots.breaks().back()};
-        u[k]      = std::min(std::max(u[k], domain[k].first), domain[k].second);
-        span[k]   = knots.find_span(u[k]);
-        piece[k]  = surface.smooth_piece(k, span[k]);
+        const auto &breaks = face.segment_breaks(k);
+        domain[k]          = {breaks.front(), breaks.back()};
+        u[k] = std::min(std::max(u[k], domain[k].first), domain[k].second);
+        segment[k] = face.find_segment(k, u[k]);
+        piece[k]   = surface.smooth_piece(k, segment[k]);
       }
 
     // Its vectors are kept between calls: allocation would cost more than the
@@ -131,7 +134,7 @@ namespace NPT
     c.found       = false;
     c.edge_radius = 0.;
     c.on_boundary = false;
-    evaluate_geometry(surface, positions, point, u, span, 2, c);
+    evaluate_geometry(surface, positions, point, u, segment, 2, c);
     double       distance2 = c.r.norm_square();
     unsigned int n_changes = 0;
     // Newton's step below this part of the size doubles its digits: the next
@@ -228,7 +231,7 @@ namespace NPT
                   if ((high && u[k] >= domain[k].second) ||
                       (!high && u[k] <= domain[k].first))
                     continue;
-                  Span<m> other = span;
+                  Segment<m> other = segment;
                   other[k] += high ? 1 : -1;
                   evaluate_geometry(
                     surface, positions, point, u, other, 2, trial);
@@ -237,8 +240,8 @@ namespace NPT
                     trial.a[k].norm() * trial.r.norm() * 1e-12;
                   if ((high && slope < -size) || (!high && slope > size))
                     {
-                      span     = other;
-                      piece[k] = surface.smooth_piece(k, span[k]);
+                      segment  = other;
+                      piece[k] = surface.smooth_piece(k, segment[k]);
                       std::swap(c, trial);
                       ++n_changes;
                       changed = true;
@@ -272,25 +275,24 @@ namespace NPT
              ++halving, alpha *= 0.5)
           {
             std::array<double, m> u_new;
-            Span<m>               span_new;
+            Segment<m>            segment_new;
             double                predicted = 0;
             for (int k = 0; k < m; ++k)
               {
                 u_new[k] =
                   std::min(std::max(u[k] + alpha * step[k], piece[k].first),
                            piece[k].second);
-                span_new[k] =
-                  span_in_piece(face.knot_vector(k), piece[k], u_new[k]);
+                segment_new[k] = segment_in_piece(face, k, piece[k], u_new[k]);
                 predicted += gradient[k] * (u_new[k] - u[k]);
               }
             evaluate_geometry(
-              surface, positions, point, u_new, span_new, 2, trial);
+              surface, positions, point, u_new, segment_new, 2, trial);
             const double trial2 = trial.r.norm_square();
             if (last ||
                 (predicted < 0 && trial2 <= distance2 + 2e-4 * predicted))
               {
                 u         = u_new;
-                span      = span_new;
+                segment   = segment_new;
                 distance2 = trial2;
                 accepted  = true;
                 std::swap(c, trial);
@@ -309,7 +311,7 @@ namespace NPT
       return;
 
     if (third_derivatives || c.on_boundary)
-      evaluate_geometry(surface, positions, point, u, span, 3, c);
+      evaluate_geometry(surface, positions, point, u, segment, 3, c);
 
     bool all_free = true;
     for (int k = 0; k < m; ++k)
@@ -347,7 +349,7 @@ namespace NPT
         for (int k = 0; k < m; ++k)
           if (!c.free[k] && u[k] > domain[k].first && u[k] < domain[k].second)
             {
-              Span<m> other = span;
+              Segment<m> other = segment;
               other[k] += u[k] >= piece[k].second ? 1 : -1;
               evaluate_geometry(surface, positions, point, u, other, 2, trial);
               mean += unit_normal(surface, trial.a);

@@ -518,15 +518,18 @@ namespace NPT
     std::vector<PointRows> point_rows(mortar ? points_.size() : 0);
 
     // 1. Terms that belong to single points: pressure and traction times the
-    // second variations. Points that share both knot spans share a block.
-    std::map<std::array<unsigned int, 5>, std::vector<unsigned int>> groups;
+    // second variations. Points that share their functions share a block; the
+    // first and the last one tell which these are.
+    std::map<std::array<unsigned int, 7>, std::vector<unsigned int>> groups;
     for (unsigned int q = 0; q < points_.size(); ++q)
       if (point_loaded_[q])
         groups[{{points_[q].shape.lattice[0],
                  closest_[q].surface,
-                 closest_[q].shape.lattice[0],
+                 closest_[q].shape.lattice.front(),
+                 closest_[q].shape.lattice.back(),
                  relative ? slip_points_[q].surface : 0,
-                 relative ? slip_points_[q].shape.lattice[0] : 0}}]
+                 relative ? slip_points_[q].shape.lattice.front() : 0,
+                 relative ? slip_points_[q].shape.lattice.back() : 0}}]
           .push_back(q);
 
     PointFunctions                                    functions;

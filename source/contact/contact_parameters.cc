@@ -53,6 +53,15 @@ namespace NPT
         "fail there. Curves hardly depend on it: 0.25 and 0.5 differ by 3e-4 "
         "at 20 % tension.");
       prm.declare_entry(
+        "Kink rounding",
+        "0.1",
+        Patterns::Double(0., 0.5),
+        "C0 bases: primary surfaces are rounded over this fraction of the knot "
+        "spans on either side of a kink, (A18) of doc/theory.md [-]. With 0 a "
+        "contact point that the load holds between the two normals of a kink "
+        "has no equilibrium, and the run ends there. No effect on the basis "
+        "NURBS, which has no kinks.");
+      prm.declare_entry(
         "Enforcement",
         "penalty",
         Patterns::Selection("penalty|augmented Lagrangian"),
@@ -90,6 +99,7 @@ namespace NPT
     n_quadrature_points   = prm.get_integer("Quadrature points");
     maximum_penetration   = prm.get_double("Maximum penetration");
     edge_radius           = prm.get_double("Edge radius");
+    kink_rounding         = prm.get_double("Kink rounding");
     enforcement           = prm.get("Enforcement");
     penetration_tolerance = prm.get_double("Penetration tolerance");
     stick_tolerance       = prm.get_double("Stick tolerance");

@@ -7,6 +7,7 @@
 #include <deal.II/base/polynomials_bernstein.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace NPT
@@ -17,8 +18,10 @@ namespace NPT
 
   namespace
   {
-    // Bound of the arrays in evaluate().
-    constexpr unsigned int max_p = 7;
+    // Bounds of the arrays in evaluate(); a rounded kink has the functions of
+    // both spans.
+    constexpr unsigned int max_p           = 7;
+    constexpr unsigned int max_n_functions = 2 * max_p + 1;
 
     // Power coefficients of the functions sum_b C(a,b) B_b(t).
     std::vector<std::vector<double>>
@@ -51,13 +54,16 @@ namespace NPT
   IGASurface<dim>::IGASurface(const IGASpace<dim> &space,
                               const unsigned int   patch,
                               const unsigned int   direction,
-                              const unsigned int   side)
+                              const unsigned int   side,
+                              const double         kink_rounding)
     : space_(&space)
     , patch_(patch)
     , orientation_(side == 1 ? 1. : -1.)
   {
     AssertIndexRange(direction, static_cast<unsigned int>(dim));
     AssertIndexRange(side, 2u);
+    Assert(kink_rounding >= 0. && kink_rounding <= 0.5,
+           dealii::ExcMessage("Neighboring kinks must not overlap."));
     const NURBSPatch<dim>      &P = space.patch(patch);
     std::array<unsigned int, m> directions;
     for (unsigned int a = 0; a < m; ++a)
@@ -98,13 +104,127 @@ namespace NPT
     for (unsigned int b = 0; b <= p; ++b)
       bernstein.push_back(dealii::PolynomialsBernstein<double>(b, p));
     for (unsigned int a = 0; a < m; ++a)
-      for (unsigned int e = 0; e < knots_[a].n_spans(); ++e)
-        {
-          const auto &C = space.extraction_operator(patch, directions[a], e);
-          polynomials_[a].push_back(
-            power_coefficients(C, space.local_polynomials(patch)));
-          averaging_polynomials_[a].push_back(power_coefficients(C, bernstein));
-        }
+      {
+        const auto &breaks = knots_[a].breaks();
+        for (unsigned int e = 0; e < knots_[a].n_spans(); ++e)
+          {
+            const auto &C = space.extraction_operator(patch, directions[a], e);
+            Segment     segment;
+            segment.origin         = breaks[e];
+            segment.length         = breaks[e + 1] - breaks[e];
+            segment.first_function = knots_[a].first_function(e);
+            segment.coefficients =
+              power_coefficients(C, space.local_polynomials(patch));
+            segments_[a].append(segment, breaks[e], breaks[e + 1]);
+            segment.coefficients = power_coefficients(C, bernstein);
+            averaging_segments_[a].append(segment, breaks[e], breaks[e + 1]);
+          }
+        for (unsigned int i = 0; i < breaks.size(); ++i)
+          segments_[a].smooth[i] = knots_[a].multiplicity(breaks[i]) < p;
+        if (kink_rounding > 0.)
+          round_kinks(segments_[a], kink_rounding);
+      }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  IGASurface<dim>::Segments::find(const double u) const
+  {
+    const auto next = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, u);
+    return next - breaks.begin() - 1;
+  }
+
+
+
+  template <int dim>
+  void
+  IGASurface<dim>::Segments::append(const Segment &s,
+                                    const double   begin,
+                                    const double   end)
+  {
+    if (breaks.empty())
+      {
+        breaks.push_back(begin);
+        smooth.push_back(false);
+      }
+    segments.push_back(s);
+    breaks.push_back(end);
+    smooth.push_back(true);
+  }
+
+
+
+  template <int dim>
+  void
+  IGASurface<dim>::round_kinks(Segments    &segments,
+                               const double kink_rounding) const
+  {
+    const Segments     sharp = segments;
+    const unsigned int n     = sharp.segments.size();
+    segments                 = Segments();
+    double begin             = sharp.breaks[0];
+    for (unsigned int e = 0; e < n; ++e)
+      {
+        const double end  = sharp.breaks[e + 1];
+        const bool   kink = e + 1 < n && !sharp.smooth[e + 1];
+        if (!kink)
+          {
+            segments.append(sharp.segments[e], begin, end);
+            begin = end;
+            continue;
+          }
+
+        const Segment &left = sharp.segments[e], &right = sharp.segments[e + 1];
+        const double   low  = end - kink_rounding * left.length;
+        const double   high = end + kink_rounding * right.length;
+        if (low > begin)
+          segments.append(left, begin, low);
+
+        // Cubics with the values and slopes of all functions at both ends.
+        Segment round;
+        round.origin         = low;
+        round.length         = high - low;
+        round.first_function = left.first_function;
+        round.coefficients.assign(right.first_function +
+                                    right.coefficients.size() -
+                                    left.first_function,
+                                  std::vector<double>(4, 0.));
+        const auto add_end = [&](const Segment &s,
+                                 const double   u,
+                                 const bool     at_end) {
+          const double t = (u - s.origin) / s.length;
+          for (unsigned int i = 0; i < s.coefficients.size(); ++i)
+            {
+              double value = 0., slope = 0.;
+              for (int k = s.coefficients[i].size() - 1; k >= 0; --k)
+                {
+                  slope = slope * t + value;
+                  value = value * t + s.coefficients[i][k];
+                }
+              slope *= round.length / s.length;
+              auto &c =
+                round.coefficients[s.first_function - left.first_function + i];
+              if (at_end)
+                {
+                  c[2] += 3. * value - slope;
+                  c[3] += slope - 2. * value;
+                }
+              else
+                {
+                  c[0] += value;
+                  c[1] += slope;
+                  c[2] += -3. * value - 2. * slope;
+                  c[3] += 2. * value + slope;
+                }
+            }
+        };
+        add_end(left, low, false);
+        add_end(right, high, true);
+        segments.append(round, low, high);
+        begin = high;
+      }
   }
 
 
@@ -114,9 +234,9 @@ namespace NPT
   IGASurface<dim>::evaluate(const Parameter                   &u,
                             const unsigned int                 n_derivatives,
                             SurfaceShape<m>                   &shape,
-                            const std::array<unsigned int, m> *span) const
+                            const std::array<unsigned int, m> *segment) const
   {
-    evaluate(polynomials_, rational_, u, n_derivatives, span, shape);
+    evaluate(segments_, rational_, u, n_derivatives, segment, shape);
   }
 
 
@@ -126,41 +246,39 @@ namespace NPT
   IGASurface<dim>::evaluate_averaging(const Parameter &u,
                                       SurfaceShape<m> &shape) const
   {
-    evaluate(averaging_polynomials_, rational_, u, 0, nullptr, shape);
+    evaluate(averaging_segments_, rational_, u, 0, nullptr, shape);
   }
 
 
 
   template <int dim>
   void
-  IGASurface<dim>::evaluate(
-    const std::array<std::vector<SpanPolynomials>, m> &polynomials,
-    const bool                                         rational,
-    const Parameter                                   &u,
-    const unsigned int                                 n_derivatives,
-    const std::array<unsigned int, m>                 *span,
-    SurfaceShape<m>                                   &shape) const
+  IGASurface<dim>::evaluate(const std::array<Segments, m>     &segments,
+                            const bool                         rational,
+                            const Parameter                   &u,
+                            const unsigned int                 n_derivatives,
+                            const std::array<unsigned int, m> *segment,
+                            SurfaceShape<m>                   &shape) const
   {
-    using Indices         = SymmetricIndices<m>;
-    const unsigned int p  = degree();
-    const unsigned int n1 = p + 1;
+    using Indices = SymmetricIndices<m>;
 
     // One-dimensional values and derivatives by Horner's rule.
-    double       N[m][4][max_p + 1];
-    unsigned int first_function[m];
+    double       N[m][4][max_n_functions];
+    unsigned int first_function[m], n_functions[m];
     for (unsigned int a = 0; a < m; ++a)
       {
         const unsigned int e =
-          span != nullptr ? (*span)[a] : knots_[a].find_span(u[a]);
-        first_function[a]   = knots_[a].first_function(e);
-        const auto  &breaks = knots_[a].breaks();
-        const double h      = breaks[e + 1] - breaks[e];
-        const double t      = (u[a] - breaks[e]) / h;
-        for (unsigned int i = 0; i < n1; ++i)
+          segment != nullptr ? (*segment)[a] : segments[a].find(u[a]);
+        const Segment &s  = segments[a].segments[e];
+        first_function[a] = s.first_function;
+        n_functions[a]    = s.coefficients.size();
+        const double h    = s.length;
+        const double t    = (u[a] - s.origin) / h;
+        for (unsigned int i = 0; i < n_functions[a]; ++i)
           {
-            const std::vector<double> &c    = polynomials[a][e][i];
+            const std::vector<double> &c    = s.coefficients[i];
             double                     v[4] = {0., 0., 0., 0.};
-            for (int k = p; k >= 0; --k)
+            for (int k = c.size() - 1; k >= 0; --k)
               {
                 v[3] = v[3] * t + 3 * v[2];
                 v[2] = v[2] * t + 2 * v[1];
@@ -176,7 +294,8 @@ namespace NPT
           }
       }
 
-    const unsigned int n = m == 1 ? n1 : n1 * n1;
+    const unsigned int n1 = n_functions[0];
+    const unsigned int n  = m == 1 ? n1 : n1 * n_functions[m - 1];
     shape.lattice.resize(n);
     shape.value.resize(n);
     if (n_derivatives >= 1)
@@ -313,8 +432,8 @@ namespace NPT
               rest_e /= knots_[a].n_spans();
               rest_q /= n_q;
             }
-          evaluate(point.u, 1, point.shape, &point.span);
-          evaluate(averaging_polynomials_,
+          evaluate(point.u, 1, point.shape);
+          evaluate(averaging_segments_,
                    rational_,
                    point.u,
                    0,

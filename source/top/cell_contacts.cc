@@ -3,8 +3,8 @@
 
 #include <npt_dealii/top/cell_contacts.h>
 
-#include <array>
 #include <map>
+#include <tuple>
 
 namespace NPT
 {
@@ -19,16 +19,26 @@ namespace NPT
     CellContacts result;
 
     // Surfaces that may touch: faces of base bundles against images.
-    std::map<std::array<unsigned int, 3>, const IGASurface<3> *> faces;
+    // Kinks matter on the primary side only, where closest points are sought.
+    std::map<std::tuple<unsigned int, unsigned int, unsigned int, bool>,
+             const IGASurface<3> *>
+      faces;
 
     const auto face = [&](const unsigned int bundle,
                           const unsigned int direction,
-                          const unsigned int side) {
-      const IGASurface<3> *&surface = faces[{{bundle, direction, side}}];
+                          const unsigned int side,
+                          const bool         primary) {
+      const IGASurface<3> *&surface =
+        faces[std::make_tuple(bundle, direction, side, primary)];
       if (surface == nullptr)
         {
           result.surfaces.push_back(
-            std::make_unique<IGASurface<3>>(space, bundle, direction, side));
+            std::make_unique<IGASurface<3>>(space,
+                                            bundle,
+                                            direction,
+                                            side,
+                                            primary ? contact.kink_rounding :
+                                                      0.));
           surface = result.surfaces.back().get();
         }
       return surface;
@@ -39,7 +49,7 @@ namespace NPT
         for (const SurfaceImage &image : pair.primaries)
           {
             const IGASurface<3> &surface =
-              *face(image.bundle, image.direction, image.side);
+              *face(image.bundle, image.direction, image.side, true);
             GhostSurface ghost;
             ghost.operation     = image.operation;
             ghost.offset_sign   = image.offset_sign;
@@ -89,8 +99,8 @@ namespace NPT
         if (pair.direction != 2)
           contact_parameters.method = "KTS";
         result.assemblers.push_back(std::make_unique<ContactAssembler<3>>(
-          ContactSurface<3>(
-            *face(pair.secondary_bundle, pair.direction, pair.secondary_side)),
+          ContactSurface<3>(*face(
+            pair.secondary_bundle, pair.direction, pair.secondary_side, false)),
           primaries,
           contact_parameters,
           friction,

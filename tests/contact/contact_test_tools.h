@@ -74,9 +74,10 @@ namespace ContactTests
     Face(const NURBSPatch<dim> &patch,
          const unsigned int     direction,
          const unsigned int     side,
-         const Basis            basis = Basis::NURBS)
+         const Basis            basis         = Basis::NURBS,
+         const double           kink_rounding = 0.)
       : space({patch}, {}, basis)
-      , iga_surface(space, 0, direction, side)
+      , iga_surface(space, 0, direction, side, kink_rounding)
       , surface(iga_surface)
     {
       for (unsigned int l = 0; l < iga_surface.n_control_points(); ++l)

@@ -72,9 +72,10 @@ namespace
     auto start = c.u;
     for (unsigned int k = 0; k < start.size(); ++k)
       {
-        const auto &breaks = face.iga_surface.knot_vector(k).breaks();
+        const auto &breaks = face.iga_surface.segment_breaks(k);
         start[k] +=
-          0.01 * (0.5 * (breaks[c.span[k]] + breaks[c.span[k] + 1]) - c.u[k]);
+          0.01 *
+          (0.5 * (breaks[c.segment[k]] + breaks[c.segment[k] + 1]) - c.u[k]);
       }
     ClosestPoint<dim> result;
     NPT::project(

@@ -326,6 +326,52 @@ TEST_CASE("Above a valley the walls take turns but the nearest gap is "
 
 
 
+TEST_CASE("Across a rounded kink gap and normal are continuous on both sides",
+          "[contact]")
+{
+  const auto check = [](const auto &face) {
+    constexpr int dim = std::decay_t<decltype(face.positions[0])>::dimension;
+    // Slopes of +-0.2 meet at the kink and +-0.3 stays below it around; the
+    // turn of 0.4 takes 0.4 times the greatest curvature of a cubic, 1.5.
+    const double step = 1e-3, greatest_turn = 2. * step;
+    for (const double height : {0.1, -0.1})
+      {
+        ClosestPoint<dim>           c;
+        Tensor<1, dim>              normal;
+        double                      gap = 0.;
+        std::array<double, dim - 1> u;
+        u.fill(0.);
+        for (int i = -300; i <= 300; ++i)
+          {
+            Point<dim> x;
+            x[0] = i * step;
+            if (dim == 3)
+              x[1] = 0.1;
+            x[dim - 1] = height;
+            u[0]       = i < 0 ? -0.4 : 0.4;
+            c          = face.project(x, u);
+            REQUIRE(c.found);
+            CHECK(c.free[0]);
+            if (i > -300)
+              {
+                CHECK(std::abs(c.gap - gap) <= 0.3 * step);
+                CHECK((c.normal - normal).norm() < greatest_turn);
+              }
+            gap    = c.gap;
+            normal = c.normal;
+          }
+      }
+  };
+  for (const double slope : {0.1, -0.1})
+    {
+      check(Face<2>(roof<2>(slope), 1, 1, Basis::NURBS, 0.2));
+      check(Face<3>(roof<3>(slope), 2, 1, Basis::Bernstein, 0.2));
+      check(Face<3>(roof<3>(slope), 2, 1, Basis::Lagrange, 0.2));
+    }
+}
+
+
+
 TEST_CASE("Knots of full multiplicity in a smooth surface are not felt",
           "[contact]")
 {

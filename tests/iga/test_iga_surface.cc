@@ -418,6 +418,131 @@ TEST_CASE("At a span boundary the wanted side's polynomial is evaluated",
 
 
 
+TEST_CASE("Rounded kinks make all functions C1 and change them nowhere else",
+          "[iga]")
+{
+  const double alpha = 0.15;
+  for (const Basis basis : {Basis::Bernstein, Basis::Lagrange})
+    {
+      const IGASpace<3>   space({general_patch<3>(false)}, {}, basis);
+      const IGASurface<3> sharp(space, 0, 2, 1), round(space, 0, 2, 1, alpha);
+      double              kink = 0., jump = 0., change = 0., sum_error = 0.;
+      for (unsigned int a = 0; a < 2; ++a)
+        {
+          const auto &knots = sharp.knot_vector(a).breaks();
+          REQUIRE(round.n_segments(a) == 2 * sharp.n_segments(a) - 1);
+          for (unsigned int i = 1; i < round.n_segments(a); ++i)
+            {
+              CHECK(round.is_smooth(a, i));
+              std::array<double, 2> u;
+              u[a]     = round.segment_breaks(a)[i];
+              u[1 - a] = 0.37;
+              std::array<unsigned int, 2> before, after;
+              before[1 - a] = after[1 - a] = round.find_segment(1 - a, 0.37);
+              before[a]                    = i - 1;
+              after[a]                     = i;
+              SurfaceShape<2> left, right;
+              round.evaluate(u, 1, left, &before);
+              round.evaluate(u, 1, right, &after);
+              jump = std::max(
+                jump,
+                max_difference(on_lattice(round, left.lattice, left.value),
+                               on_lattice(round, right.lattice, right.value)));
+              for (unsigned int k = 0; k < 2; ++k)
+                jump =
+                  std::max(jump,
+                           max_difference(
+                             on_lattice(round, left.lattice, left.first[k]),
+                             on_lattice(round, right.lattice, right.first[k])));
+            }
+          for (unsigned int e = 1; e + 1 < knots.size(); ++e)
+            {
+              std::array<double, 2> u;
+              u[a]     = knots[e];
+              u[1 - a] = 0.37;
+              std::array<unsigned int, 2> before, after;
+              before[1 - a] = after[1 - a] = sharp.find_segment(1 - a, 0.37);
+              before[a]                    = e - 1;
+              after[a]                     = e;
+              SurfaceShape<2> left, right;
+              sharp.evaluate(u, 1, left, &before);
+              sharp.evaluate(u, 1, right, &after);
+              kink =
+                std::max(kink,
+                         max_difference(
+                           on_lattice(sharp, left.lattice, left.first[a]),
+                           on_lattice(sharp, right.lattice, right.first[a])));
+            }
+        }
+      CHECK(kink > 1.);
+      CHECK(jump < 1e-12 * kink); // rounding
+
+      for (const double s : {0.01, 0.2, 0.33, 0.5, 0.77, 0.98})
+        for (const double t : {0.02, 0.26, 0.51, 0.66, 0.9})
+          {
+            const std::array<double, 2> u = {{s, t}};
+            SurfaceShape<2>             a, b;
+            sharp.evaluate(u, 3, a);
+            round.evaluate(u, 3, b);
+            double sum = 0.;
+            for (const double value : b.value)
+              sum += value;
+            sum_error   = std::max(sum_error, std::abs(sum - 1.));
+            bool inside = false;
+            for (unsigned int k = 0; k < 2; ++k)
+              {
+                const auto  &v    = sharp.knot_vector(k).breaks();
+                const auto   e    = sharp.find_segment(k, u[k]);
+                const double part = (u[k] - v[e]) / (v[e + 1] - v[e]);
+                inside            = inside || (part < alpha && e > 0) ||
+                         (part > 1. - alpha && e + 2 < v.size());
+              }
+            if (!inside)
+              for (unsigned int k = 0; k < 4; ++k)
+                change = std::max(
+                  change,
+                  max_difference(on_lattice(sharp, a.lattice, a.third[k]),
+                                 on_lattice(round, b.lattice, b.third[k])));
+          }
+      CHECK(sum_error < 1e-14); // rounding
+      CHECK(change == 0.);
+      check_derivatives<2>(round);
+    }
+}
+
+
+
+TEST_CASE("A rounded kink leaves the surface by a quarter of angle and width",
+          "[iga]")
+{
+  // A roof of slope 0.1 over [-1, 1], rounded over 0.2 on either side.
+  const KnotVector      knots(2, {-1., -1., -1., 0., 0., 1., 1., 1.});
+  const KnotVector      thickness = KnotVector::uniform(2, 1);
+  std::vector<Point<2>> points;
+  for (unsigned int j = 0; j < 3; ++j)
+    for (unsigned int i = 0; i < 5; ++i)
+      points.emplace_back(knots.greville(i),
+                          0.5 * j - 0.1 * std::abs(knots.greville(i)));
+  const IGASpace<2>   space({NURBSPatch<2>({{knots, thickness}}, points)},
+                          {},
+                          Basis::NURBS);
+  const IGASurface<2> surface(space, 0, 1, 1, 0.2);
+  SurfaceShape<1>     shape;
+  const auto          height = [&](const double u) {
+    surface.evaluate({{u}}, 0, shape);
+    Point<2> x;
+    for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+      x += shape.value[l] * surface.reference_position(shape.lattice[l]);
+    CHECK(std::abs(x[0] - u) < 1e-15);
+    return x[1];
+  };
+  const double kink = 0.2; // jump of the slope
+  CHECK(std::abs(height(0.) - (1. - kink * 0.2 / 4.)) < 1e-15);
+  CHECK(std::abs(height(0.3) - (1. - 0.03)) < 1e-15);
+}
+
+
+
 TEST_CASE("A surface of too high a degree is refused with the reason", "[iga]")
 {
   NURBSPatch<2> ring = quarter_ring(1., 2.);

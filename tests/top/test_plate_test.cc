@@ -290,6 +290,36 @@ TEST_CASE("Compression along the fibers ends where ellipticity is lost, and "
 
 
 
+TEST_CASE("A coarse cell of thick C0 bundles weaves with mortar contact where "
+          "kinks are rounded, and only there",
+          "[top][.slow]")
+{
+  // Sharp kinks: a point that carries load is held in a fold at 0.475.
+  for (const bool rounded : {false, true})
+    {
+      std::ostringstream screen;
+      OpenTest test(Parameters::read(make_parameter_text("", "c0.prm"),
+                                     {"Mesh/Basis=Bernstein",
+                                      "Mesh/Elements along=5",
+                                      "Mesh/Elements across=5",
+                                      "Cell/Bundle thickness=1.6",
+                                      "Friction/Friction coefficient=0",
+                                      "Load programme/Stages=weave",
+                                      std::string("Contact/Kink rounding=") +
+                                        (rounded ? "0.1" : "0")}),
+                    screen);
+      if (rounded)
+        {
+          test.run();
+          CHECK(test.curve().size() <= 12);
+        }
+      else
+        CHECK_THROWS_AS(test.run(), StageFailed);
+    }
+}
+
+
+
 TEST_CASE("The C0 Bernstein and the FE_Q cell are the same discretization",
           "[top]")
 {

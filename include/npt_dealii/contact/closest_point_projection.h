@@ -26,7 +26,7 @@ namespace NPT
     bool                        found   = false;
     unsigned int                surface = 0;         ///< which primary surface
     std::array<double, m>       u;                   ///< parameters xi-bar
-    std::array<unsigned int, m> span;                ///< polynomial piece used
+    std::array<unsigned int, m> segment;             ///< polynomial used
     std::array<bool, m>         free;                ///< orthogonal direction
     bool                        on_boundary = false; ///< of the surface
     double                      gap         = 0;     ///< (9) [mm], > 0 open

@@ -18,6 +18,7 @@ namespace NPT
     unsigned int n_quadrature_points = 0;        ///< 0: degree + 1
     double       maximum_penetration = 0.5;      ///< fraction of thickness
     double       edge_radius         = 0.25;     ///< fraction of thickness
+    double       kink_rounding       = 0.1;      ///< fraction of a span
     /// "penalty" or "augmented Lagrangian"
     std::string  enforcement           = "penalty";
     double       penetration_tolerance = 1e-4; ///< augmented Lagrangian [mm]

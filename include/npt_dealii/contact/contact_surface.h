@@ -155,11 +155,11 @@ namespace NPT
           positions[l][c] += displacement[first_dof_[l] + c];
     }
 
-    /// Interval of parameters around a span over which the surface is C1.
+    /// Interval of parameters around a segment over which the surface is C1.
     const std::pair<double, double> &
-    smooth_piece(const unsigned int direction, const unsigned int span) const
+    smooth_piece(const unsigned int direction, const unsigned int segment) const
     {
-      return smooth_pieces_[direction][span];
+      return smooth_pieces_[direction][segment];
     }
 
   private:
@@ -168,18 +168,14 @@ namespace NPT
     {
       for (int k = 0; k < m; ++k)
         {
-          const KnotVector  &knots     = surface_->knot_vector(k);
-          const auto        &breaks    = knots.breaks();
-          const unsigned int n_spans   = knots.n_spans();
-          const auto         is_smooth = [&](const unsigned int i) {
-            return knots.multiplicity(breaks[i]) < knots.degree();
-          };
-          for (unsigned int e = 0; e < n_spans; ++e)
+          const auto        &breaks     = surface_->segment_breaks(k);
+          const unsigned int n_segments = surface_->n_segments(k);
+          for (unsigned int e = 0; e < n_segments; ++e)
             {
               unsigned int begin = e, end = e + 1;
-              while (begin > 0 && is_smooth(begin))
+              while (begin > 0 && surface_->is_smooth(k, begin))
                 --begin;
-              while (end < n_spans && is_smooth(end))
+              while (end < n_segments && surface_->is_smooth(k, end))
                 ++end;
               smooth_pieces_[k].emplace_back(breaks[begin], breaks[end]);
             }

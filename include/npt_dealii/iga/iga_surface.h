@@ -61,11 +61,19 @@ namespace NPT
     /**
      * @param direction Parametric direction normal to the face.
      * @param side 0: begin, 1: end of that direction.
+     * @param kink_rounding Fraction alpha, in [0, 1/2], of the spans on either
+     *   side of a C0 knot over which the functions of the surface are rounded,
+     *   (A18) of doc/theory.md: between xi - alpha h_- and xi + alpha h_+ the
+     *   cubic with the values and slopes at both ends takes the place of each
+     *   function (times its weight). The surface is C1 then, and still depends
+     *   on all of its control points. Functions without kinks stay as they
+     *   are. 0: none.
      */
     IGASurface(const IGASpace<dim> &space,
                const unsigned int   patch,
                const unsigned int   direction,
-               const unsigned int   side);
+               const unsigned int   side,
+               const double         kink_rounding = 0.);
 
     unsigned int
     n_control_points() const
@@ -111,19 +119,44 @@ namespace NPT
       return space_->degree(patch_);
     }
 
+    /// Intervals on which the surface functions are polynomials (times
+    /// weights): the knot spans, and the rounded kinks between them.
+    const std::vector<double> &
+    segment_breaks(const unsigned int a) const
+    {
+      return segments_[a].breaks;
+    }
+    unsigned int
+    n_segments(const unsigned int a) const
+    {
+      return segments_[a].breaks.size() - 1;
+    }
+    /// Segment containing u; values outside are attributed to the end ones.
+    unsigned int
+    find_segment(const unsigned int a, const double u) const
+    {
+      return segments_[a].find(u);
+    }
+    /// Whether the surface is C1 across the interior break i.
+    bool
+    is_smooth(const unsigned int a, const unsigned int i) const
+    {
+      return segments_[a].smooth[i];
+    }
+
     /**
      * Evaluate the surface functions.
      *
      * @param u Parameters inside the knot vectors.
      * @param n_derivatives 0 to 3.
-     * @param span If given, use the polynomial of this span even if u lies
-     *   outside (needed at span boundaries, where one side is meant).
+     * @param segment If given, use the polynomial of this segment even if u
+     *   lies outside (needed at breaks, where one side is meant).
      */
     void
     evaluate(const Parameter                   &u,
              const unsigned int                 n_derivatives,
              SurfaceShape<m>                   &shape,
-             const std::array<unsigned int, m> *span = nullptr) const;
+             const std::array<unsigned int, m> *segment = nullptr) const;
 
     /**
      * Nonnegative functions that sum to one, for mortar averaging (37). They
@@ -149,26 +182,47 @@ namespace NPT
     quadrature(const unsigned int n) const;
 
   private:
-    // Coefficients in powers of t in [0,1] of the p+1 functions of a span.
-    using SpanPolynomials = std::vector<std::vector<double>>;
+    // The functions of one direction that are nonzero on a segment: powers of
+    // t = (u - origin) / length.
+    struct Segment
+    {
+      double                           origin, length;
+      unsigned int                     first_function;
+      std::vector<std::vector<double>> coefficients;
+    };
+    struct Segments
+    {
+      std::vector<double>  breaks;
+      std::vector<bool>    smooth; // per break
+      std::vector<Segment> segments;
+
+      unsigned int
+      find(const double u) const;
+      // Segment s as it is, cut to its part between two parameters.
+      void
+      append(const Segment &s, const double begin, const double end);
+    };
 
     void
-    evaluate(const std::array<std::vector<SpanPolynomials>, m> &polynomials,
-             const bool                                         rational,
-             const Parameter                                   &u,
-             const unsigned int                                 n_derivatives,
-             const std::array<unsigned int, m>                 *span,
-             SurfaceShape<m>                                   &shape) const;
+    round_kinks(Segments &segments, const double kink_rounding) const;
 
-    const IGASpace<dim>                        *space_;
-    unsigned int                                patch_;
-    double                                      orientation_;
-    std::vector<KnotVector>                     knots_;
-    std::vector<unsigned int>                   control_points_;
-    std::vector<double>                         weights_;
-    bool                                        rational_;
-    std::array<std::vector<SpanPolynomials>, m> polynomials_;
-    std::array<std::vector<SpanPolynomials>, m> averaging_polynomials_;
+    void
+    evaluate(const std::array<Segments, m>     &segments,
+             const bool                         rational,
+             const Parameter                   &u,
+             const unsigned int                 n_derivatives,
+             const std::array<unsigned int, m> *segment,
+             SurfaceShape<m>                   &shape) const;
+
+    const IGASpace<dim>      *space_;
+    unsigned int              patch_;
+    double                    orientation_;
+    std::vector<KnotVector>   knots_;
+    std::vector<unsigned int> control_points_;
+    std::vector<double>       weights_;
+    bool                      rational_;
+    std::array<Segments, m>   segments_;
+    std::array<Segments, m>   averaging_segments_;
   };
 } // namespace NPT
 
