@@ -34,7 +34,12 @@ namespace NPT
     {
       StepParameters steps;
       if (name == "weave")
-        steps.initial_step = steps.maximum_step = 0.1;
+        {
+          // The first contact of flat bundles: a long step may end in a dent
+          // far from the bundles' common path.
+          steps.initial_step = 0.025;
+          steps.maximum_step = 0.1;
+        }
       else if (name == "release")
         steps.initial_step = steps.maximum_step = 1;
       return steps;

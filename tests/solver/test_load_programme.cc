@@ -57,7 +57,7 @@ TEST_CASE("Without entries the programme weaves, releases and shears",
   CHECK(stages[0].type == Type::weave);
   CHECK(stages[0].H_targets.empty());
   CHECK_FALSE(stages[0].friction);
-  CHECK(stages[0].steps.initial_step == 0.1);
+  CHECK(stages[0].steps.initial_step == 0.025);
   CHECK(stages[0].steps.maximum_step == 0.1);
 
   CHECK(stages[1].name == "release");

@@ -213,6 +213,8 @@ TEST_CASE("A stage that cannot be finished ends with status 1 and keeps its "
                              "--set",
                              "Newton/Maximum iterations=1",
                              "--set",
+                             "Load programme/Stage weave/Initial step=0.1",
+                             "--set",
                              "Load programme/Stage weave/Minimum step=0.05"} +
       small);
   CHECK(result.status == 1);
