@@ -57,7 +57,7 @@ namespace NPT
         "0.1",
         Patterns::Double(0., 0.5),
         "C0 bases: primary surfaces are rounded over this fraction of the knot "
-        "spans on either side of a kink, (A18) of doc/theory.md [-]. With 0 a "
+        "spans on either side of a kink, (A19) of doc/theory.md [-]. With 0 a "
         "contact point that the load holds between the two normals of a kink "
         "has no equilibrium, and the run ends there. No effect on the basis "
         "NURBS, which has no kinks.");

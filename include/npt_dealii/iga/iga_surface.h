@@ -63,7 +63,7 @@ namespace NPT
      * @param side 0: begin, 1: end of that direction.
      * @param kink_rounding Fraction alpha, in [0, 1/2], of the spans on either
      *   side of a C0 knot over which the functions of the surface are rounded,
-     *   (A18) of doc/theory.md: between xi - alpha h_- and xi + alpha h_+ the
+     *   (A19) of doc/theory.md: between xi - alpha h_- and xi + alpha h_+ the
      *   cubic with the values and slopes at both ends takes the place of each
      *   function (times its weight). The surface is C1 then, and still depends
      *   on all of its control points. Functions without kinks stay as they
