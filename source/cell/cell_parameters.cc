@@ -137,6 +137,16 @@ namespace NPT
                         "removes rigid motions without pins and makes the "
                         "centered state stable; false pins the center of each "
                         "bundle instead.");
+      prm.declare_entry(
+        "Smooth closure",
+        "false",
+        Patterns::Bool(),
+        "Join the end of a bundle to its continuation in the next cell, and "
+        "the pieces between crossings, with a common tangent (C1), Eq. (A18), "
+        "instead of continuously only (C0). Needs the NURBS basis. It takes "
+        "away the kink at the seam and three unknowns per control point of "
+        "it; mind that a bundle then has less freedom than with C0 seams, so "
+        "that a coarse mesh is stiffer.");
     }
     prm.leave_subsection();
   }
@@ -165,6 +175,7 @@ namespace NPT
     warp_secondary   = prm.get("Secondary bundles") == "warp";
     weaving_depth    = prm.get_double("Weaving depth");
     two_fold_axis    = prm.get_bool("Two-fold axis");
+    smooth_closure   = prm.get_bool("Smooth closure");
     prm.leave_subsection();
 
     // With one number for both, the sentence need not say whose it is.

@@ -107,23 +107,125 @@ namespace NPT
 
 
   void
+  OrbitConstraints::combine(const unsigned int       i,
+                            const std::vector<Term> &terms,
+                            const Affine            &affine,
+                            const std::string       &name)
+  {
+    AssertIndexRange(i, parent_.size());
+    AssertDimension(affine.size(), n_macro_);
+    combinations_.push_back({i, terms, affine, name});
+  }
+
+
+
+  OrbitConstraints::Form
+  OrbitConstraints::right_side(const Combination &combination,
+                               Reduction         &reduction) const
+  {
+    Form form{{}, combination.affine};
+    for (const Term &term : combination.terms)
+      {
+        const Form x = reduced(term.j, reduction);
+        for (const auto &[root, factor] : x.free)
+          form.free[root] += term.factor * factor;
+        for (unsigned int k = 0; k < n_macro_; ++k)
+          form.affine[k] += term.factor * x.affine[k];
+      }
+    return form;
+  }
+
+
+
+  OrbitConstraints::Form
+  OrbitConstraints::reduced_root(const unsigned int root,
+                                 Reduction         &reduction) const
+  {
+    if (fixed_[root])
+      return {{}, value_[root]};
+    const auto found = reduction.combination_of.find(root);
+    if (found == reduction.combination_of.end())
+      return {{{root, 1.}}, Affine(n_macro_, 0.)};
+    const auto done = reduction.done.find(root);
+    if (done != reduction.done.end())
+      return done->second;
+
+    // x_i = s X + a = right side.
+    const Combination &combination = combinations_[found->second];
+    if (reduction.begun[root])
+      throw std::logic_error("The condition '" + combination.name +
+                             "' defines an unknown by itself.");
+    reduction.begun[root]     = true;
+    const Representation r    = representation(combination.i);
+    Form                 form = right_side(combination, reduction);
+    for (auto &entry : form.free)
+      entry.second *= r.sign;
+    for (unsigned int k = 0; k < n_macro_; ++k)
+      form.affine[k] = r.sign * (form.affine[k] - r.affine[k]);
+    reduction.done[root] = form;
+    return form;
+  }
+
+
+
+  OrbitConstraints::Form
+  OrbitConstraints::reduced(const unsigned int i, Reduction &reduction) const
+  {
+    const Representation r    = representation(i);
+    Form                 form = reduced_root(r.root, reduction);
+    for (auto &entry : form.free)
+      entry.second *= r.sign;
+    for (unsigned int k = 0; k < n_macro_; ++k)
+      form.affine[k] = r.sign * form.affine[k] + r.affine[k];
+    return form;
+  }
+
+
+
+  void
   OrbitConstraints::write(dealii::AffineConstraints<double> &constraints) const
   {
+    Reduction reduction;
+    for (unsigned int c = 0; c < combinations_.size(); ++c)
+      {
+        const unsigned int root = representation(combinations_[c].i).root;
+        if (!fixed_[root])
+          reduction.combination_of.emplace(root, c); // the first one stays
+      }
+    for (const Combination &combination : combinations_)
+      {
+        const Form left  = reduced(combination.i, reduction);
+        Form       right = right_side(combination, reduction);
+        for (const auto &[root, factor] : left.free)
+          right.free[root] -= factor;
+        for (const auto &entry : right.free)
+          if (std::abs(entry.second) > 1e-9)
+            throw std::logic_error("The condition '" + combination.name +
+                                   "' contradicts the others: it would "
+                                   "restrict unknown " +
+                                   std::to_string(entry.first) + ".");
+        for (unsigned int k = 0; k < n_macro_; ++k)
+          if (std::abs(right.affine[k] - left.affine[k]) >
+              1e-9 * (1 + std::abs(left.affine[k])))
+            throw std::logic_error("The condition '" + combination.name +
+                                   "' contradicts the others: it would "
+                                   "prescribe macro unknown " +
+                                   std::to_string(k) + ".");
+      }
+
     for (unsigned int i = 0; i < parent_.size(); ++i)
       {
-        const Representation r = representation(i);
-        if (r.root == i && !fixed_[i])
+        const unsigned int root = representation(i).root;
+        if (root == i && !fixed_[i] && reduction.combination_of.count(i) == 0)
           continue;
+        const Form form = reduced(i, reduction);
         constraints.add_line(i);
-        Affine affine = r.affine;
-        if (fixed_[r.root])
-          for (unsigned int k = 0; k < n_macro_; ++k)
-            affine[k] += r.sign * value_[r.root][k];
-        else
-          constraints.add_entry(i, r.root, r.sign);
+        for (const auto &[free, factor] : form.free)
+          if (std::abs(factor) > 1e-14)
+            constraints.add_entry(i, free, factor);
         for (unsigned int k = 0; k < n_macro_; ++k)
-          if (std::abs(affine[k]) > 1e-14)
-            constraints.add_entry(i, parent_.size() + k, affine[k]);
+          if (std::abs(form.affine[k]) > 1e-14)
+            constraints.add_entry(i, parent_.size() + k, form.affine[k]);
       }
   }
 } // namespace NPT

@@ -8,7 +8,9 @@
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace NPT
@@ -92,6 +94,141 @@ namespace NPT
       bgi::rtree<Entry, bgi::rstar<16>>          trees_[3];
       std::vector<std::pair<Point<3>, Point<3>>> boxes_[3];
     };
+
+
+
+    // Directions of a bundle in which it goes on in neighboring cells.
+    unsigned int
+    n_closed_directions(const FiberBundle &bundle)
+    {
+      return bundle.family == FiberBundle::Family::ply ? 2 : 1;
+    }
+
+
+
+    // The smooth closure (A18): at periodic faces through the operations of the
+    // cell, between crossings inside the patch.
+    template <typename Jump>
+    void
+    close_smoothly(const FabricCell  &cell,
+                   const IGASpace<3> &space,
+                   const PointFinder &finder,
+                   const Jump        &jump,
+                   OrbitConstraints  &orbits)
+    {
+      using Affine        = OrbitConstraints::Affine;
+      const auto       &X = space.control_points();
+      const Affine      none(MacroUnknowns::n_macro, 0.);
+      const std::string name = "smooth closure";
+
+      // alpha of X_0 = alpha X_1 + (1 - alpha) X_{-1}, or a negative number if
+      // X_{-1} lies on the same side as X_1: then an operation maps the end of
+      // the bundle onto itself.
+      const auto share = [&](const Point<3> &before,
+                             const Point<3> &seam,
+                             const Point<3> &after) {
+        const Tensor<1, 3> a = seam - before, b = after - seam;
+        if (a * b < 0.)
+          return -1.;
+        const double alpha = a.norm() / (a.norm() + b.norm());
+        AssertThrow((alpha * b - (1. - alpha) * a).norm() <
+                      1e-9 * (a.norm() + b.norm()),
+                    dealii::ExcMessage("Bundles must be straight at a smooth "
+                                       "seam in the reference configuration."));
+        return alpha;
+      };
+
+      // Inner neighbors of the control points at both ends, by direction, and
+      // the conditions between crossings.
+      std::map<unsigned int, unsigned int> inner[2];
+      for (unsigned int b = 0; b < space.n_patches(); ++b)
+        for (unsigned int d = 0; d < n_closed_directions(cell.bundles()[b]);
+             ++d)
+          {
+            const NURBSPatch<3> &patch  = space.patch(b);
+            const KnotVector    &knots  = patch.knot_vector(d);
+            const unsigned int   last   = patch.n_control_points(d) - 1;
+            const unsigned int   degree = knots.degree();
+            AssertThrow(degree >= 2,
+                        dealii::ExcMessage("A smooth closure needs degree 2."));
+            std::vector<unsigned int> joints;
+            for (unsigned int k = 1; k + 1 < knots.breaks().size(); ++k)
+              if (knots.multiplicity(knots.breaks()[k]) >= degree)
+                joints.push_back(knots.first_function(k));
+            for (unsigned int l = 0; l < patch.n_control_points(); ++l)
+              {
+                const auto at       = patch.multi_index(l);
+                const auto neighbor = [&](const int step) {
+                  auto next = at;
+                  next[d] += step;
+                  const unsigned int n = patch.index(next);
+                  AssertThrow(std::abs(patch.weights()[n] -
+                                       patch.weights()[l]) <
+                                1e-9 * patch.weights()[l],
+                              dealii::ExcMessage(
+                                "A smooth closure needs weights that do not "
+                                "change along the bundle."));
+                  return space.control_point(b, n);
+                };
+                const unsigned int A = space.control_point(b, l);
+                if (at[d] == 0)
+                  inner[d][A] = neighbor(1);
+                else if (at[d] == last)
+                  inner[d][A] = neighbor(-1);
+                else if (std::find(joints.begin(), joints.end(), at[d]) !=
+                         joints.end())
+                  {
+                    const unsigned int before = neighbor(-1),
+                                       after  = neighbor(1);
+                    const double alpha = share(X[before], X[A], X[after]);
+                    for (unsigned int i = 0; i < 3; ++i)
+                      orbits.combine(3 * A + i,
+                                     {{alpha, 3 * after + i},
+                                      {1. - alpha, 3 * before + i}},
+                                     none,
+                                     name + " between crossings");
+                  }
+              }
+          }
+
+      std::set<unsigned int> closed[2];
+      for (unsigned int b = 0; b < space.n_patches(); ++b)
+        for (unsigned int d = 0; d < n_closed_directions(cell.bundles()[b]);
+             ++d)
+          for (unsigned int l = 0; l < space.patch(b).n_control_points(); ++l)
+            {
+              const unsigned int B = space.control_point(b, l);
+              if (inner[d].count(B) == 0)
+                continue;
+              const unsigned int B_inner = inner[d].at(B);
+              for (const SymmetryOperation &g : cell.operations())
+                {
+                  const int A = finder.find(cell.bundles()[b].family, g(X[B]));
+                  if (A < 0 || inner[d].count(A) == 0)
+                    continue;
+                  const unsigned int A_inner = inner[d].at(A);
+                  const double alpha = share(g(X[B_inner]), X[A], X[A_inner]);
+                  if (alpha < 0.)
+                    continue;
+                  for (unsigned int i = 0; i < 3; ++i)
+                    {
+                      Affine affine = jump(B_inner, g, i);
+                      for (double &value : affine)
+                        value *= 1. - alpha;
+                      orbits.combine(3 * A + i,
+                                     {{alpha, 3 * A_inner + i},
+                                      {(1. - alpha) * g.Q[i], 3 * B_inner + i}},
+                                     affine,
+                                     name + " by: " + g.name);
+                    }
+                  closed[d].insert(A);
+                }
+            }
+      for (unsigned int d = 0; d < 2; ++d)
+        if (closed[d].size() < inner[d].size())
+          throw std::logic_error("No operation of the cell continues some end "
+                                 "of a bundle.");
+    }
   } // namespace
 
 
@@ -101,7 +238,8 @@ namespace NPT
                  const IGASpace<3>               &space,
                  const MacroUnknowns             &macro,
                  const std::vector<GhostSurface> &ghosts,
-                 const std::vector<Point<3>>     &woven)
+                 const std::vector<Point<3>>     &woven,
+                 const Pins                      &pins)
   {
     using Affine = OrbitConstraints::Affine;
     OrbitConstraints  orbits(macro.first, MacroUnknowns::n_macro);
@@ -152,11 +290,20 @@ namespace NPT
               }
           }
       }
-    if (cell.needs_vertical_pin())
+    const bool smooth = cell.parameters().smooth_closure;
+    if (smooth)
+      close_smoothly(cell, space, finder, jump, orbits);
+    if (pins.used && cell.needs_vertical_pin())
       {
         // Vertical forces on the whole cell are in equilibrium, so this pin is
-        // free of reactions: w3 = -w3.
-        const unsigned int A = space.control_point(0, 0);
+        // free of reactions: w3 = -w3. (A18) has use for the ends of a bundle.
+        std::array<unsigned int, 3> at = pins.vertical;
+        for (unsigned int d = 0;
+             smooth && d < n_closed_directions(cell.bundles()[0]);
+             ++d)
+          at[d] = std::min(std::max(at[d], 1u),
+                           space.patch(0).n_control_points(d) - 2);
+        const unsigned int A = space.control_point(0, space.patch(0).index(at));
         orbits.relate(3 * A + 2,
                       -1.,
                       3 * A + 2,
@@ -185,12 +332,12 @@ namespace NPT
                                     ghost.offset_sign);
           }
 
-    if (!cell.has_two_fold_axis())
+    if (pins.used && !cell.has_two_fold_axis())
       {
         // Pins w = w_m in plane of each body's center, mean over the thickness:
-        // a weighted sum of control points, solved for its largest term. (w = 0
-        // would hold bundles whose centers are apart against the macroscopic
-        // shear.)
+        // a weighted sum of control points, reduced to free unknowns and solved
+        // for its largest term. (w = 0 would hold bundles whose centers are
+        // apart against the macroscopic shear.)
         std::set<unsigned int> pinned;
         for (unsigned int b = 0; b < space.n_patches(); ++b)
           {
@@ -202,48 +349,50 @@ namespace NPT
             std::array<std::vector<double>, 2>           N;
             for (unsigned int d = 0; d < 2; ++d)
               {
-                span[d] = patch.knot_vector(d).find_span(0.5);
-                N[d]    = patch.knot_vector(d).values(span[d], 0.5, 0)[0];
+                span[d] = patch.knot_vector(d).find_span(pins.in_plane[d]);
+                N[d] =
+                  patch.knot_vector(d).values(span[d], pins.in_plane[d], 0)[0];
               }
             const unsigned int n_3 = patch.n_control_points(2);
             for (unsigned int k = 0; k < n_3; ++k)
               for (unsigned int j = 0; j < N[1].size(); ++j)
                 for (unsigned int i = 0; i < N[0].size(); ++i)
-                  if (N[0][i] * N[1][j] > 1e-14)
-                    weights.emplace_back(
-                      space.control_point(
-                        b,
-                        patch.index(
-                          {{patch.knot_vector(0).first_function(span[0]) + i,
-                            patch.knot_vector(1).first_function(span[1]) + j,
-                            k}})),
-                      N[0][i] * N[1][j] / n_3);
-            const Point<3> center = patch.value(Point<3>(0.5, 0.5, 0.5));
+                  weights.emplace_back(
+                    space.control_point(
+                      b,
+                      patch.index(
+                        {{patch.knot_vector(0).first_function(span[0]) + i,
+                          patch.knot_vector(1).first_function(span[1]) + j,
+                          k}})),
+                    N[0][i] * N[1][j] / n_3);
+            const Point<3> center =
+              patch.value(Point<3>(pins.in_plane[0], pins.in_plane[1], 0.5));
             for (unsigned int c = 0; c < 2; ++c)
               {
-                unsigned int pivot = 0;
-                for (unsigned int k = 1; k < weights.size(); ++k)
-                  if (!constraints.is_constrained(3 * weights[k].first + c) &&
-                      (constraints.is_constrained(3 * weights[pivot].first +
-                                                  c) ||
-                       weights[k].second > weights[pivot].second + 1e-12))
-                    pivot = k;
-                const unsigned int line = 3 * weights[pivot].first + c;
-                constraints.add_line(line);
-                for (unsigned int k = 0; k < weights.size(); ++k)
-                  if (k != pivot)
-                    constraints.add_entry(line,
-                                          3 * weights[k].first + c,
-                                          -weights[k].second /
-                                            weights[pivot].second);
+                // sum of factors times unknowns = 0
+                std::map<unsigned int, double> sum;
+                for (const auto &[A, weight] : weights)
+                  if (constraints.is_constrained(3 * A + c))
+                    for (const auto &entry :
+                         *constraints.get_constraint_entries(3 * A + c))
+                      sum[entry.first] += weight * entry.second;
+                  else
+                    sum[3 * A + c] += weight;
                 for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
-                  {
-                    const double value = macroscopic_displacement(n, center)[c];
-                    if (mode_allowed[n] && std::abs(value) > 1e-14)
-                      constraints.add_entry(line,
-                                            macro.mode(n),
-                                            value / weights[pivot].second);
-                  }
+                  if (mode_allowed[n])
+                    sum[macro.mode(n)] -=
+                      macroscopic_displacement(n, center)[c];
+                auto pivot = sum.begin();
+                for (auto term = sum.begin(); term != sum.end(); ++term)
+                  if (term->first < macro.first &&
+                      term->second > pivot->second + 1e-12)
+                    pivot = term;
+                constraints.add_line(pivot->first);
+                for (const auto &[unknown, factor] : sum)
+                  if (unknown != pivot->first && std::abs(factor) > 1e-14)
+                    constraints.add_entry(pivot->first,
+                                          unknown,
+                                          -factor / pivot->second);
               }
           }
       }

@@ -185,7 +185,7 @@ namespace NPT
     const bool         weaving = stage.type == LoadStage::Type::weave;
 
     const auto constraints =
-      make_couplings(*cell_, bodies_->space(), macro_, ghosts_, woven_);
+      make_couplings(*cell_, bodies_->space(), macro_, ghosts_, woven_, pins_);
     system_.reinit(constraints, macro_.n_unknowns());
     bodies_->add_groups(system_);
     contact_couplings_.clear();

@@ -191,6 +191,33 @@ namespace NPT
             check(target.first, "n");
         }
     }
+
+    // Where a smooth closure would gain nothing or could not be kept.
+    void
+    check_smooth_closure(const Parameters &parameters)
+    {
+      if (!parameters.cell.smooth_closure)
+        return;
+      if (parameters.mesh.basis != Basis::NURBS)
+        throw InputError(
+          std::string("Smooth closure is true with the Basis ") +
+          (parameters.mesh.basis == Basis::Bernstein ? "Bernstein" :
+                                                       "Lagrange") +
+          ", whose functions are only C0 between all elements, so that a "
+          "smooth seam would gain nothing; use Basis = NURBS or Smooth "
+          "closure = false (subsections Cell and Mesh).");
+      for (const LoadStage &stage : parameters.load_programme.stages)
+        if (stage.type != LoadStage::Type::load)
+          for (unsigned int n = 3; n < 6; ++n)
+            if (stage.H_targets.count(n) + stage.n_targets.count(n) > 0)
+              throw InputError(
+                "Smooth closure is true and stage " + stage.name +
+                " prescribes mode " + std::to_string(n + 1) +
+                ", but the woven state, to which bending and torsion refer, "
+                "must then be reached without them; prescribe it in a load "
+                "stage (subsections Cell and Stage " +
+                stage.name + ").");
+    }
   } // namespace
 
 
@@ -245,6 +272,7 @@ namespace NPT
                                        CellParameters::SideContact::on :
                                        CellParameters::SideContact::off;
     check_modes(parameters);
+    check_smooth_closure(parameters);
 
     std::ostringstream used;
     print_documented_parameters(prm, used);

@@ -243,3 +243,101 @@ TEST_CASE("Any consistent set of relations leaves one unknown per orbit",
 
   CHECK(check_all_hold(n, n_macro, relations) == n_orbits - 1);
 }
+
+
+
+TEST_CASE("A combination holds for every member of its orbit",
+          "[homogenization]")
+{
+  // Unknowns 0 and 4 are the ends of a strand, 1 and 3 their inner neighbors;
+  // 4 = -0 + M. The condition of one end is the image of that of the other.
+  for (const unsigned int first : {0, 1})
+    {
+      OrbitConstraints orbits(5, 1);
+      orbits.relate(4, -1., 0, {1.}, "glide plane");
+      const auto tell = [&](const unsigned int end) {
+        if (end == 0) // x_0 = (x_1 + (-x_3 + M)) / 2
+          orbits.combine(0, {{0.5, 1}, {-0.5, 3}}, {0.5}, "seam");
+        else // x_4 = (x_3 + (-x_1 + M)) / 2
+          orbits.combine(4, {{0.5, 3}, {-0.5, 1}}, {0.5}, "seam");
+      };
+      tell(first);
+      tell(1 - first);
+      AffineConstraints<double> constraints;
+      orbits.write(constraints);
+      constraints.close();
+      CHECK(constraints.n_constraints() == 2);
+      Vector<double> x({0., 1.3, -0.4, 2.1, 0., 0.7});
+      constraints.distribute(x);
+      CHECK(x[0] == Approx(0.5 * (1.3 - 2.1 + 0.7)).epsilon(1e-14));
+      CHECK(x[4] == Approx(-x[0] + 0.7).epsilon(1e-14));
+    }
+}
+
+
+
+TEST_CASE("Combinations follow each other into a corner, and either way around "
+          "it is the same",
+          "[homogenization]")
+{
+  // 0 is the corner of a cell, 1 and 2 lie on its edges, 3 and 4 inside.
+  OrbitConstraints orbits(5, 2);
+  orbits.combine(0, {{0.5, 1}, {0.5, 2}}, {1., 0.}, "edge");
+  orbits.combine(1, {{0.25, 3}, {0.75, 4}}, {0., 2.}, "inside");
+  orbits.combine(2, {{1., 3}}, {0., 0.}, "inside");
+  orbits.combine(0, {{0.625, 3}, {0.375, 4}}, {1., 1.}, "both");
+  AffineConstraints<double> constraints;
+  orbits.write(constraints);
+  constraints.close();
+  Vector<double> x({0., 0., 0., 1., 2., 3., 4.});
+  constraints.distribute(x);
+  CHECK(x[1] == Approx(0.25 * 1. + 0.75 * 2. + 2. * 4.));
+  CHECK(x[0] == Approx(0.625 * 1. + 0.375 * 2. + 3. + 4.));
+}
+
+
+
+TEST_CASE("A combination that contradicts the rest is named",
+          "[homogenization]")
+{
+  AffineConstraints<double> constraints;
+  const auto                message = [&](const OrbitConstraints &orbits) {
+    try
+      {
+        orbits.write(constraints);
+      }
+    catch (const std::logic_error &error)
+      {
+        return std::string(error.what());
+      }
+    return std::string("no contradiction");
+  };
+  SECTION("a fixed unknown would restrict its neighbors")
+  {
+    OrbitConstraints orbits(2, 1);
+    orbits.relate(0, -1., 0, {2.}, "pin");
+    orbits.combine(0, {{1., 1}}, {0.}, "seam");
+    CHECK(message(orbits) ==
+          "The condition 'seam' contradicts the others: it would restrict "
+          "unknown 1.");
+  }
+  SECTION("a fixed unknown has another value")
+  {
+    OrbitConstraints orbits(2, 1);
+    orbits.relate(0, -1., 0, {2.}, "pin");
+    orbits.relate(1, -1., 1, {4.}, "pin");
+    orbits.combine(0, {{1., 1}}, {0.}, "seam");
+    CHECK(message(orbits) ==
+          "The condition 'seam' contradicts the others: it would prescribe "
+          "macro unknown 0.");
+  }
+  SECTION("a circle")
+  {
+    OrbitConstraints orbits(3, 1);
+    orbits.relate(2, 1., 0, {2.}, "translation");
+    orbits.combine(0, {{0.5, 1}, {0.5, 1}}, {0.}, "seam");
+    orbits.combine(1, {{1., 2}}, {0.}, "seam");
+    CHECK(message(orbits) == "The condition 'seam' defines an unknown by "
+                             "itself.");
+  }
+}

@@ -52,11 +52,12 @@ namespace NPT
     double               section_power = 1.5; ///< n [-]
     double               blunt_tip     = 0.1; ///< e / t [-]
 
-    double      weaving_depth = 1.0; ///< [-]
-    std::string type          = "sub-unit cell";
-    std::string weave         = "plain"; ///< name or table
-    bool        two_fold_axis = true;
-    bool        images        = true;
+    double      weaving_depth  = 1.0; ///< [-]
+    std::string type           = "sub-unit cell";
+    std::string weave          = "plain"; ///< name or table
+    bool        two_fold_axis  = true;
+    bool        smooth_closure = false; ///< C1 over the periodic faces
+    bool        images         = true;
     enum class SideContact
     {
       automatic,

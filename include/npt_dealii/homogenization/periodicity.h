@@ -12,6 +12,7 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -35,9 +36,34 @@ namespace NPT
     std::vector<dealii::Point<3>> reference;     ///< QX + a
   };
 
+  /// Where rigid motions are held that the symmetry of a cell leaves.
+  struct Pins
+  {
+    bool used = true; ///< false leaves them free, to look at reactions
+    /// Parameters, in [0,1]^2, of the point of each body that is held in
+    /// plane, if there is no 2-fold axis.
+    std::array<double, 2> in_plane = {{0.5, 0.5}};
+    /// Position, in the first patch, of the control point that is held along
+    /// Y3, if there is no glide plane. With a smooth closure one at the end of
+    /// the patch is replaced by its neighbor inside.
+    std::array<unsigned int, 3> vertical = {{0, 0, 0}};
+  };
+
   /**
    * All couplings of a fabric cell: symmetry operations, pins where rigid
    * motions would remain, and ghost surfaces.
+   *
+   * With Cell / Smooth closure the displacement is C1 over the periodic faces
+   * and between crossings as well: a control point 0 there lies between its
+   * inner neighbor 1 and the image, by an operation of the cell, of the inner
+   * neighbor n-2 of the other end,
+   *
+   * @f[ u_0 = \alpha u_1 + (1-\alpha) ( Q u_{n-2} + w_m(QY_{n-2}+a) -
+   *         Q w_m(Y_{n-2}) ), \qquad
+   *     X_0 = \alpha X_1 + (1-\alpha) (Q X_{n-2} + a) \qquad (A18) @f]
+   *
+   * with alpha = 1/2 where the spans on both sides are equal. Weights must not
+   * change along the bundle.
    *
    * @param woven Positions of the control points in the woven state [mm], to
    *   which the jumps of bending and torsion refer; empty: the reference ones.
@@ -48,14 +74,15 @@ namespace NPT
    * @return Closed constraints over macro.n_unknowns() unknowns.
    *
    * Throws std::logic_error if the mesh is not mapped onto itself by an
-   * operation.
+   * operation, or if the conditions of a smooth closure contradict the rest.
    */
   dealii::AffineConstraints<double>
   make_couplings(const FabricCell                    &cell,
                  const IGASpace<3>                   &space,
                  const MacroUnknowns                 &macro,
                  const std::vector<GhostSurface>     &ghosts,
-                 const std::vector<dealii::Point<3>> &woven = {});
+                 const std::vector<dealii::Point<3>> &woven = {},
+                 const Pins                          &pins  = {});
 } // namespace NPT
 
 #endif

@@ -139,6 +139,7 @@ namespace NPT
     MacroUnknowns                                     macro_;
     std::vector<GhostSurface>                         ghosts_;
     std::vector<dealii::Point<3>> woven_; // positions, by control point
+    Pins                          pins_;
 
     // The system of the present stage.
     CondensedSystem                        system_;
