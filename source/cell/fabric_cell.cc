@@ -251,6 +251,25 @@ namespace NPT
             s.held        = false;
             for (int q = 0; axis_ && q < n_along; ++q)
               s.held = s.held || sign(2 * i - origin, q) != 0;
+            // The axis after a translation (2 i - origin, q) maps the bundle
+            // onto itself and keeps the place (origin_along + q) / 2, counted
+            // in crossings.
+            double on_axis = 0.5, distance = 1.;
+            for (int q = 2 * first - origin_along;
+                 axis_ && q <= 2 * (first + n) - origin_along;
+                 ++q)
+              if (sign(2 * i - origin, q) > 0)
+                {
+                  const double xi =
+                    (0.5 * (origin_along + q) - first + 0.5) / n;
+                  if (xi > 0. && xi < 1. &&
+                      std::abs(xi - 0.5) < distance - 1e-12)
+                    {
+                      on_axis  = xi;
+                      distance = std::abs(xi - 0.5);
+                    }
+                }
+            axis_parameter_.push_back(on_axis);
             patch.transform([&](const Point<3> &P) {
               return is_warp ?
                        Point<3>(P[0] + s.begin, P[1] + s.position, P[2]) :
@@ -348,6 +367,7 @@ namespace NPT
            Tensor<1, 3>({std::cos(angle), std::sin(angle), 0.}),
            0});
         strands_.push_back({0, 0., 0, 1, -0.5 * L1_, L1_, false});
+        axis_parameter_.push_back(0.5);
       }
     mirror_.assign(bundles_.size(), -1);
     mirror_operation_.resize(bundles_.size());

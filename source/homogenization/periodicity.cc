@@ -334,24 +334,27 @@ namespace NPT
 
     if (pins.used && !cell.has_two_fold_axis())
       {
-        // Pins w = w_m in plane of each body's center, mean over the thickness:
-        // a weighted sum of control points, reduced to free unknowns and solved
-        // for its largest term. (w = 0 would hold bundles whose centers are
-        // apart against the macroscopic shear.)
+        // Pins w = w_m in plane of each body on a 2-fold axis, mean over the
+        // thickness: a weighted sum of control points, reduced to free unknowns
+        // and solved for its largest term. (w = 0 would hold bundles whose
+        // pins are apart against the macroscopic shear. The middle of a bundle
+        // between two crossings is on no axis: sticking friction would push
+        // against a pin there in bending and torsion.)
         std::set<unsigned int> pinned;
         for (unsigned int b = 0; b < space.n_patches(); ++b)
           {
             if (!pinned.insert(space.body(b)).second)
               continue;
-            const NURBSPatch<3>                         &patch = space.patch(b);
+            const NURBSPatch<3>        &patch = space.patch(b);
+            const std::array<double, 2> place = pins.in_plane.value_or(
+              std::array<double, 2>{{cell.axis_parameter(b), 0.5}});
             std::vector<std::pair<unsigned int, double>> weights;
             std::array<unsigned int, 2>                  span;
             std::array<std::vector<double>, 2>           N;
             for (unsigned int d = 0; d < 2; ++d)
               {
-                span[d] = patch.knot_vector(d).find_span(pins.in_plane[d]);
-                N[d] =
-                  patch.knot_vector(d).values(span[d], pins.in_plane[d], 0)[0];
+                span[d] = patch.knot_vector(d).find_span(place[d]);
+                N[d]    = patch.knot_vector(d).values(span[d], place[d], 0)[0];
               }
             const unsigned int n_3 = patch.n_control_points(2);
             for (unsigned int k = 0; k < n_3; ++k)
@@ -365,8 +368,13 @@ namespace NPT
                           patch.knot_vector(1).first_function(span[1]) + j,
                           k}})),
                     N[0][i] * N[1][j] / n_3);
-            const Point<3> center =
-              patch.value(Point<3>(pins.in_plane[0], pins.in_plane[1], 0.5));
+            // The axis keeps the woven height, which enters w_m.
+            Point<3> center = patch.value(Point<3>(place[0], place[1], 0.5));
+            center[2]       = 0.;
+            for (const auto &[A, weight] : weights)
+              center[2] +=
+                weight *
+                (woven.empty() ? space.control_points()[A][2] : woven[A][2]);
             for (unsigned int c = 0; c < 2; ++c)
               {
                 // sum of factors times unknowns = 0

@@ -167,6 +167,16 @@ namespace NPT
     /// axes go past it. (Without 2-fold axis every bundle is pinned.)
     bool
     has_floating_bundles() const;
+    /**
+     * Where along a bundle, in [0,1], a 2-fold axis of the weave goes through
+     * it, used as a constraint or not: the place nearest to the middle of the
+     * bundle, or the middle itself if there is none.
+     */
+    double
+    axis_parameter(const unsigned int bundle) const
+    {
+      return axis_parameter_[bundle];
+    }
     /// Whether the operations allow mode n (0..5).
     bool
     represents_mode(const unsigned int n) const;
@@ -244,6 +254,7 @@ namespace NPT
     // Twice the position of the weave's 2-fold axis, in bundles.
     std::optional<std::array<int, 2>> axis_;
     bool                              two_fold_axis_ = false;
+    std::vector<double>               axis_parameter_; // by bundle
     // Where the 2-fold axis takes each bundle, or -1.
     std::vector<int>               mirror_;
     std::vector<SymmetryOperation> mirror_operation_;

@@ -13,6 +13,7 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,9 @@ namespace NPT
   {
     bool used = true; ///< false leaves them free, to look at reactions
     /// Parameters, in [0,1]^2, of the point of each body that is held in
-    /// plane, if there is no 2-fold axis.
-    std::array<double, 2> in_plane = {{0.5, 0.5}};
+    /// plane, if the 2-fold axis is not a constraint. Empty: where an axis of
+    /// the weave goes through the bundle, or its middle.
+    std::optional<std::array<double, 2>> in_plane;
     /// Position, in the first patch, of the control point that is held along
     /// Y3, if there is no glide plane. With a smooth closure one at the end of
     /// the patch is replaced by its neighbor inside.
