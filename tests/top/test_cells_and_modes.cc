@@ -26,16 +26,36 @@ namespace
     return test.curve();
   }
 
-  // The test with the reactions of the pins laid open.
+  // The test with another origin of the macroscopic field and other pins, and
+  // with the reactions of the pins laid open.
   class PinnedTest : public NumericalPlateTest
   {
   public:
-    PinnedTest(const std::vector<std::string> &overrides, std::ostream &screen)
+    PinnedTest(const std::vector<std::string> &overrides,
+               std::ostream                   &screen,
+               const dealii::Tensor<1, 3>     &origin = {},
+               const Pins                     &pins   = {})
       : NumericalPlateTest(Parameters::read(make_parameter_text("", "cell.prm"),
                                             overrides),
                            "",
                            screen)
-    {}
+      , origin_(origin)
+    {
+      pins_ = pins;
+    }
+
+    // Without weaving: the positions to which the jumps refer stay those.
+    void
+    run_laminate()
+    {
+      make_unit_cell();
+      setup_system();
+      woven_ = bodies_->space().control_points();
+      for (dealii::Point<3> &Z : woven_)
+        Z -= origin_;
+      for (const LoadStage &stage : parameters_.load_programme.stages)
+        run_stage(stage);
+    }
 
     struct PinReactions
     {
@@ -95,6 +115,9 @@ namespace
         sum += force[3 * space.control_point(b, l) + 2];
       return std::abs(sum);
     }
+
+  private:
+    const dealii::Tensor<1, 3> origin_;
   };
 
   // Plane-stress stiffness of a ply from the small-strain stiffness of the
@@ -193,6 +216,71 @@ TEST_CASE("Laminates have the A, B and D of classical plate theory", "[top]")
                       Approx(expected(k, m)).margin(1e-7 * scale));
               }
           }
+    }
+}
+
+
+
+TEST_CASE(
+  "The A, B and D of plates do not depend on the origin and on the pinned "
+  "points",
+  "[top]")
+{
+  // Moving the origin adds rotations only, other pins a translation.
+  Pins moved;
+  moved.in_plane = std::array<double, 2>{{0.2, 0.9}};
+  moved.vertical = {{2, 1, 1}};
+  const dealii::Tensor<1, 3>                  shift({1.7, -0.6, 0.});
+  const std::pair<dealii::Tensor<1, 3>, Pins> variants[] = {{{}, {}},
+                                                            {shift, {}},
+                                                            {{}, moved},
+                                                            {shift, moved}};
+  for (const std::string plies : {"0", "0, 90"})
+    {
+      const double t = 1.2, h = 1e-5;
+      for (unsigned int m = 0; m < 6; ++m)
+        {
+          std::vector<std::vector<double>> stiffness;
+          for (const auto &[origin, pins] : variants)
+            {
+              std::vector<double> column(6, 0.);
+              for (const int sign : {1, -1})
+                {
+                  std::ostringstream screen;
+                  PinnedTest         test({"Cell/Type=laminate",
+                                           "Cell/Plies=" + plies,
+                                           "Mesh/Elements along=2",
+                                           "Mesh/Elements across=2",
+                                           "Mesh/Elements through=1",
+                                           "Newton/Relative tolerance=1e-12",
+                                           "Newton/Absolute tolerance=1e-13",
+                                           "Load programme/Stages=tiny",
+                                           "Load programme/Stage tiny/Initial step=1",
+                                           "Load programme/Stage tiny/Maximum step=1",
+                                           "Load programme/Stage tiny/Targets=H" +
+                                             std::to_string(m + 1) +
+                                             (sign > 0 ? ": 1e-5" : ": -1e-5")},
+                                  screen,
+                                  origin,
+                                  pins);
+                  test.run_laminate();
+                  for (unsigned int k = 0; k < 6; ++k)
+                    column[k] += sign * test.curve().back().n[k] / (2 * h);
+                }
+              stiffness.push_back(column);
+            }
+          // About D_11, D_11/t and D_11/t^2: smaller than the entries of A.
+          const double D_11 = 58. * t * t * t / 12.;
+          for (unsigned int v = 1; v < stiffness.size(); ++v)
+            for (unsigned int k = 0; k < 6; ++k)
+              {
+                const double scale =
+                  (k < 3 ? 1. / t : 1.) * (m < 3 ? 1. / t : 1.) * D_11;
+                INFO("plies " << plies << ", n" << k + 1 << " over H" << m + 1);
+                CHECK(stiffness[v][k] ==
+                      Approx(stiffness[0][k]).epsilon(0.).margin(1e-7 * scale));
+              }
+        }
     }
 }
 
