@@ -133,7 +133,7 @@ namespace NPT
       }
     multiplier_          = history_.multiplier;
     traction_multiplier_ = history_.traction;
-    penalty_scale_       = 1.;
+    penalty_scale_       = history_.penalty_scale;
     if (friction_on_ && !by_closest_point_)
       set_slip_references(positions);
   }
@@ -853,6 +853,7 @@ namespace NPT
         history_.closest[q].surface = closest_[q].surface;
         history_.closest[q].u       = closest_[q].u;
       }
+    history_.penalty_scale = penalty_scale_;
   }
 
 
@@ -869,7 +870,7 @@ namespace NPT
           continue;
         result.gap = std::max(result.gap,
                               std::abs(state.pressure - multiplier_[I]) /
-                                contact_.normal_penalty);
+                                (penalty_scale_ * contact_.normal_penalty));
         if (!friction_on_ || !state.active)
           continue;
         // |t - lambda|^2 = (t - lambda)_a a^{ab} (t - lambda)_b, where the
@@ -893,9 +894,9 @@ namespace NPT
               (state.friction.traction[a] - traction_multiplier_[I][a]) *
               metric[a][b] *
               (state.friction.traction[b] - traction_multiplier_[I][b]);
-        result.slip =
-          std::max(result.slip,
-                   std::sqrt(std::max(0., square)) / friction_law_.penalty);
+        result.slip = std::max(result.slip,
+                               std::sqrt(std::max(0., square)) /
+                                 (penalty_scale_ * friction_law_.penalty));
       }
     return result;
   }

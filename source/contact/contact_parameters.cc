@@ -68,14 +68,15 @@ namespace NPT
         "penalty: pressure = penalty times penetration, as in the paper. "
         "augmented Lagrangian: each load step is repeated with multipliers "
         "until penetration and drift while sticking are below the tolerances "
-        "that follow, at any moderate penalty.");
+        "that follow, whatever the penalty. For Method mortar: KTS poses more "
+        "conditions than the surfaces can meet and needs many more steps.");
       prm.declare_entry("Penetration tolerance",
-                        "1e-4",
+                        "2e-5",
                         Patterns::Double(std::numeric_limits<double>::min()),
                         "Augmented Lagrangian: largest gap, in absolute value, "
                         "that is left at a closed contact node [mm].");
       prm.declare_entry("Stick tolerance",
-                        "1e-4",
+                        "2e-5",
                         Patterns::Double(std::numeric_limits<double>::min()),
                         "Augmented Lagrangian: largest change of the elastic "
                         "part of the slip in the last repetition [mm].");

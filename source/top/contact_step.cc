@@ -25,8 +25,9 @@ namespace NPT
     if (!parameters.augmented())
       return report;
 
-    double previous_gap  = std::numeric_limits<double>::max();
-    double previous_slip = previous_gap;
+    constexpr unsigned int n_patient     = 5;
+    double                 previous_gap  = std::numeric_limits<double>::max();
+    double                 previous_slip = previous_gap;
     for (unsigned int k = 0;; ++k)
       {
         double gap = 0, slip = 0;
@@ -48,13 +49,13 @@ namespace NPT
             throw NewtonNotConverged("augmentation limit", detail.str());
           }
         // A penalty that is small against the stiffness of the bodies gains
-        // little per repetition: after 25 of them let it grow for the rest of
-        // the step.
+        // little per repetition: after some of them let it grow, and keep it
+        // for the next steps. The solution does not depend on it.
         const bool slow =
           gap >
             std::max(parameters.penetration_tolerance, 0.5 * previous_gap) ||
           slip > std::max(parameters.stick_tolerance, 0.5 * previous_slip);
-        const double growth = k >= 25 && slow ? 4. : 1.;
+        const double growth = k >= n_patient && slow ? 4. : 1.;
         previous_gap        = gap;
         previous_slip       = slip;
         for (ContactAssembler<3> *contact : contacts)

@@ -196,8 +196,6 @@ TEST_CASE("The augmented Lagrangian gives one curve at penalties at which "
     return run({"Contact/Enforcement=" + enforcement,
                 "Contact/Normal penalty=" + penalty,
                 "Friction/Tangential penalty=" + penalty,
-                "Contact/Penetration tolerance=2e-5",
-                "Contact/Stick tolerance=2e-5",
                 "Load programme/Stage weave/Initial step=0.25",
                 "Load programme/Stage weave/Maximum step=0.25",
                 "Load programme/Stage shear/Targets=H3: 0.02",
@@ -209,9 +207,11 @@ TEST_CASE("The augmented Lagrangian gives one curve at penalties at which "
   const double penalty_30  = n3("penalty", "30"),
                penalty_300 = n3("penalty", "300");
   CHECK(std::abs(penalty_30 - penalty_300) > 0.02 * penalty_300);
-  const double augmented_30  = n3("augmented Lagrangian", "30"),
-               augmented_300 = n3("augmented Lagrangian", "300");
-  CHECK(augmented_30 == Approx(augmented_300).epsilon(1e-4));
+  // The smallest one grows until it is of use, and keeps what it has grown to.
+  const double augmented = n3("augmented Lagrangian", "300");
+  for (const std::string penalty : {"30", "0.3"})
+    CHECK(n3("augmented Lagrangian", penalty) ==
+          Approx(augmented).epsilon(1e-4));
 }
 
 

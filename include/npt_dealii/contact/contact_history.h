@@ -21,6 +21,8 @@ namespace NPT
     std::vector<std::array<double, dim - 1>> traction;
     /// Multiplier of the augmented Lagrangian of every node [MPa].
     std::vector<double> multiplier;
+    /// Factor by which the augmented Lagrangian has let both penalties grow.
+    double penalty_scale = 1.;
     /// Closest point of every Gauss point: reference of the slip increment.
     std::vector<ProjectionStart<dim>> closest;
   };

@@ -21,8 +21,8 @@ namespace NPT
     double       kink_rounding       = 0.1;      ///< fraction of a span
     /// "penalty" or "augmented Lagrangian"
     std::string  enforcement           = "penalty";
-    double       penetration_tolerance = 1e-4; ///< augmented Lagrangian [mm]
-    double       stick_tolerance       = 1e-4; ///< augmented Lagrangian [mm]
+    double       penetration_tolerance = 2e-5; ///< augmented Lagrangian [mm]
+    double       stick_tolerance       = 2e-5; ///< augmented Lagrangian [mm]
     unsigned int max_augmentations     = 50;
 
     bool
