@@ -48,27 +48,19 @@ namespace NPT
     if (known != tables_.end())
       return known->second;
 
-    const dealii::QGauss<dim> quadrature(n_points_ > 0 ? n_points_ : p + 1);
-    const auto               &element = space_.reference_element(patch);
-    const auto               &order   = space_.lexicographic_numbering(patch);
-    const auto                second  = pairs<dim>();
-    const unsigned int        n       = element.n_dofs_per_cell();
+    const dealii::QGauss<1> quadrature(n_points_ > 0 ? n_points_ : p + 1);
+    const auto             &polynomials = space_.local_polynomials(patch);
 
     Tabulated table;
     table.weights = quadrature.get_weights();
-    table.data.reinit(1 + dim + second.size(), quadrature.size(), n);
+    table.data.reinit(quadrature.size(), 3, p + 1);
+    std::vector<double> derivatives(3);
     for (unsigned int q = 0; q < quadrature.size(); ++q)
-      for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int b = 0; b <= p; ++b)
         {
-          const Point<dim> &x = quadrature.point(q);
-          table.data(0, q, a) = element.shape_value(order[a], x);
-          const auto gradient = element.shape_grad(order[a], x);
-          for (unsigned int d = 0; d < dim; ++d)
-            table.data(1 + d, q, a) = gradient[d];
-          const auto hessian = element.shape_grad_grad(order[a], x);
-          for (unsigned int k = 0; k < second.size(); ++k)
-            table.data(1 + dim + k, q, a) =
-              hessian[second[k].first][second[k].second];
+          polynomials[b].value(quadrature.point(q)[0], derivatives);
+          for (unsigned int k = 0; k < 3; ++k)
+            table.data(q, k, b) = derivatives[k];
         }
     return tables_.emplace(p, table).first->second;
   }
@@ -84,10 +76,16 @@ namespace NPT
     const Tabulated       &table  = tabulate(cell.patch);
     const auto             second = pairs<dim>();
     const unsigned int     p      = space_.degree(cell.patch);
-    const unsigned int     n      = table.data.size(2);
-    const unsigned int     n_q    = table.data.size(1);
+    const unsigned int     n_1    = p + 1;
+    const unsigned int     n_q_1  = table.weights.size();
     const unsigned int     n_derivatives =
-      second_derivatives_ ? table.data.size(0) : 1 + dim;
+      second_derivatives_ ? 1 + dim + second.size() : 1 + dim;
+    unsigned int n = 1, n_q = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        n *= n_1;
+        n_q *= n_q_1;
+      }
 
     indices_ = space_.control_points_of_cell(c);
     value_.reinit(n, n_q);
@@ -97,50 +95,65 @@ namespace NPT
     jxw_.resize(n_q);
     position_.resize(n_q);
 
-    std::array<double, dim> length;
-    double                  volume = 1;
+    // B-splines of each direction and their parametric derivatives at its
+    // Gauss points, N = C B: [point][derivative][function].
+    std::array<std::vector<double>, dim> N_1;
+    double                               volume = 1;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const auto &breaks = patch.knot_vector(d).breaks();
-        length[d]          = breaks[cell.span[d] + 1] - breaks[cell.span[d]];
-        volume *= length[d];
+        const auto  &breaks = patch.knot_vector(d).breaks();
+        const double length = breaks[cell.span[d] + 1] - breaks[cell.span[d]];
+        const auto &C = space_.extraction_operator(cell.patch, d, cell.span[d]);
+        volume *= length;
+        N_1[d].resize(n_q_1 * 3 * n_1);
+        for (unsigned int q = 0; q < n_q_1; ++q)
+          {
+            double scale = 1;
+            for (unsigned int k = 0; k < 3; ++k)
+              {
+                for (unsigned int i = 0; i < n_1; ++i)
+                  {
+                    double sum = 0;
+                    for (unsigned int b = 0; b < n_1; ++b)
+                      sum += C(i, b) * table.data(q, k, b);
+                    N_1[d][(q * 3 + k) * n_1 + i] = scale * sum;
+                  }
+                scale /= length;
+              }
+          }
       }
-    std::vector<double> scale(table.data.size(0), 1.);
-    for (unsigned int d = 0; d < dim; ++d)
-      scale[1 + d] = 1. / length[d];
-    for (unsigned int k = 0; k < second.size(); ++k)
-      scale[1 + dim + k] =
-        1. / (length[second[k].first] * length[second[k].second]);
 
     const std::vector<double>       &weights = space_.weights();
-    std::vector<std::vector<double>> N(n_derivatives);
-    std::vector<double>              scratch(n);
+    std::vector<std::vector<double>> N(n_derivatives, std::vector<double>(n));
     for (unsigned int q = 0; q < n_q; ++q)
       {
-        // B-splines and their parametric derivatives: N = (C x C x C) B,
-        // one direction after the other.
+        // Products of the directions; the first one runs fastest.
+        double point_weight = 1;
         for (unsigned int k = 0; k < n_derivatives; ++k)
           {
-            N[k].resize(n);
-            for (unsigned int a = 0; a < n; ++a)
-              N[k][a] = scale[k] * table.data(k, q, a);
-            unsigned int stride = 1;
+            const double *factor[dim];
+            unsigned int  rest = q;
             for (unsigned int d = 0; d < dim; ++d)
               {
-                const auto &C =
-                  space_.extraction_operator(cell.patch, d, cell.span[d]);
-                for (unsigned int a = 0; a < n; ++a)
+                unsigned int order = k == 1 + d ? 1 : 0;
+                if (k > dim)
+                  order = (second[k - 1 - dim].first == d ? 1 : 0) +
+                          (second[k - 1 - dim].second == d ? 1 : 0);
+                factor[d] = &N_1[d][((rest % n_q_1) * 3 + order) * n_1];
+                if (k == 0)
+                  point_weight *= table.weights[rest % n_q_1];
+                rest /= n_q_1;
+              }
+            for (unsigned int a = 0; a < n; ++a)
+              {
+                double       product = 1;
+                unsigned int index   = a;
+                for (unsigned int d = 0; d < dim; ++d)
                   {
-                    const unsigned int i    = (a / stride) % (p + 1);
-                    const unsigned int base = a - i * stride;
-                    double             sum  = 0;
-                    for (unsigned int b = 0; b <= p; ++b)
-                      sum += C(i, b) * N[k][base + b * stride];
-                    scratch[a] = sum;
+                    product *= factor[d][index % n_1];
+                    index /= n_1;
                   }
-                N[k].swap(scratch);
-                scratch.resize(n);
-                stride *= p + 1;
+                N[k][a] = product;
               }
           }
 
@@ -188,7 +201,7 @@ namespace NPT
             "the reference geometry of cell " + std::to_string(c) +
             " is folded (det J = " + std::to_string(det) + ")");
         const Tensor<2, dim> J_inverse = invert(J);
-        jxw_[q]                        = det * volume * table.weights[q];
+        jxw_[q]                        = det * volume * point_weight;
         position_[q]                   = X;
 
         for (unsigned int a = 0; a < n; ++a)

@@ -23,8 +23,9 @@ namespace NPT
    * @f[ R_A = \frac{w_A N_A}{W}, \qquad \mathrm{Grad}\, R_A =
    *   J^{-T} \partial R_A / \partial\xi, \qquad J = \partial X/\partial\xi. @f]
    *
-   * The reference element is tabulated once per degree; a cell applies its
-   * extraction operators direction by direction.
+   * The polynomials of one direction are tabulated once per degree; a cell
+   * applies its extraction operators to these tables and multiplies the
+   * directions.
    */
   template <int dim>
   class IGAValues
@@ -87,12 +88,12 @@ namespace NPT
     }
 
   private:
-    // Reference element at the Gauss points, lexicographic: value, dim first
-    // and dim(dim+1)/2 second derivatives per point and function.
+    // Polynomials of one direction at its Gauss points: value, first and
+    // second derivative.
     struct Tabulated
     {
       std::vector<double>      weights;
-      dealii::Table<3, double> data; // [derivative][point][function]
+      dealii::Table<3, double> data; // [point][derivative][function]
     };
     const Tabulated &
     tabulate(const unsigned int patch);
