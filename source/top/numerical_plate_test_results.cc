@@ -3,11 +3,13 @@
 // and the state of the material where a stage had to be given up.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/output/cell_fields.h>
 #include <npt_dealii/output/hysteresis.h>
 #include <npt_dealii/output/plots.h>
 #include <npt_dealii/top/numerical_plate_test.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace NPT
@@ -177,6 +179,7 @@ namespace NPT
         if (!directory_.empty())
           write_hysteresis(directory_ + "/hysteresis.csv", *loop);
       }
+    warn_of_penetration();
     if (directory_.empty())
       return;
     if (parameters_.output.picture)
@@ -192,5 +195,34 @@ namespace NPT
               " free unknowns, " +
               std::to_string(system_.free_matrix().n_nonzeros()) + " nonzeros");
     timer_.print_summary();
+  }
+
+
+
+  void
+  NumericalPlateTest::warn_of_penetration()
+  {
+    // Up to about here results are off by some percent; deeper they describe
+    // another fabric, and nothing in the curves shows it.
+    const double much      = 0.05;
+    const double thickness = parameters_.cell.bundle_thickness.smaller();
+    const auto   deepest =
+      std::max_element(curve_.begin(),
+                       curve_.end(),
+                       [](const CurveRow &a, const CurveRow &b) {
+                         return a.largest_penetration < b.largest_penetration;
+                       });
+    if (deepest == curve_.end() ||
+        deepest->largest_penetration <= much * thickness)
+      return;
+    log_.warning(
+      "The bundles penetrate each other by " +
+      short_number(deepest->largest_penetration, 2) + " mm, " +
+      short_number(100. * deepest->largest_penetration / thickness, 2) +
+      " % of their thickness (stage " + deepest->stage + ", load factor " +
+      short_number(deepest->load_factor, 3) +
+      "). What to try: a larger Normal penalty, Enforcement = augmented "
+      "Lagrangian (subsection Contact), or, if it begins with the first "
+      "contact, a shorter Initial step of the weaving stage.");
   }
 } // namespace NPT

@@ -216,6 +216,29 @@ TEST_CASE("The augmented Lagrangian gives one curve at penalties at which "
 
 
 
+TEST_CASE("A run in which the bundles penetrate each other deeply says so",
+          "[top]")
+{
+  const auto warned = [](const std::string &penalty) {
+    std::ostringstream screen;
+    OpenTest test(Parameters::read(make_parameter_text("", "weave.prm"),
+                                   {"Mesh/Elements along=3",
+                                    "Mesh/Elements across=3",
+                                    "Mesh/Elements through=1",
+                                    "Contact/Normal penalty=" + penalty,
+                                    "Load programme/Stages=weave, release"}),
+                  screen);
+    test.run();
+    const double depth = test.curve().back().largest_penetration;
+    CHECK((depth > 0.05 * 1.2) == (penalty == "1"));
+    return screen.str().find("penetrate each other") != std::string::npos;
+  };
+  CHECK(warned("1"));
+  CHECK_FALSE(warned("300"));
+}
+
+
+
 TEST_CASE("Tension carries contact over the edges of the bundles without a cut "
           "of the load step",
           "[top]")

@@ -118,6 +118,8 @@ namespace NPT
     output_fields();
     void
     finish_output();
+    void
+    warn_of_penetration();
     /// Throw the failure of a stage again, with the state of the material.
     [[noreturn]] void
     give_up(const StageFailed &failure);
