@@ -1,4 +1,5 @@
-# Draws the pictures of doc/load_cases.md from the results of prm/*.prm:
+# Draws the pictures of doc/load_cases.md and of lesson 01 from the results of
+# prm/*.prm:
 #   npt_dealii prm/tension.prm --output results/tension     (and so on)
 #   gnuplot -e "results='results'" doc/images/load_cases.gp
 if (!exists("results")) results = 'results'
@@ -16,6 +17,12 @@ set key left top reverse Left samplen 2
 
 file(name) = results.'/'.name.'/curves.csv'
 of(stages) = strstrt(stages, '|'.strcol('stage').'|') > 0
+
+# Shear of lesson 01; once more with --set 'Friction/Friction coefficient=0' to results/shear_mu0.
+set output images.'/shear_curve.svg'
+set xlabel 'shear H_3 [-]'; set ylabel 'n_3 [N/mm]'
+plot file('shear') using (column('H3')):(of('|release|shear|') ? column('n3') : NaN) with linespoints ls 2 title 'friction 0.3', \
+     file('shear_mu0') using (column('H3')):(of('|release|shear|') ? column('n3') : NaN) with linespoints ls 1 title 'without friction'
 
 set output images.'/tension.svg'
 set xlabel 'stretch H_1 [-]'; set ylabel 'resultants [N/mm]'
