@@ -156,8 +156,11 @@ namespace NPT
                                    panels.size() == 4 ? 2 :
                                                         4,
                        n_rows    = (panels.size() + n_columns - 1) / n_columns;
-    const unsigned int width =
-      std::max<unsigned int>(400, 150 + 62 * x_axis.values.size());
+    std::size_t longest_title    = 0;
+    for (const std::string &panel : panels)
+      longest_title = std::max(longest_title, panel.size());
+    const unsigned int width = std::max<std::size_t>(
+      {400, 150 + 62 * x_axis.values.size(), 40 + 8 * longest_title});
     const unsigned int height = 170 + 40 * y_axis.values.size();
     const std::string  box = ":(column('x')-0.5):(column('x')+0.5):(column('y')"
                              "-0.5):(column('y')+0.5)";

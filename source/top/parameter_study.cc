@@ -68,7 +68,7 @@ namespace NPT
       names.clear();
       for (unsigned int i = 0; i < study.cases.size(); ++i)
         {
-          const std::string name = describe_axes(*study.loops, axes, i);
+          const std::string name = describe_axes(*study.loops, axes, i, true);
           const auto        at   = std::find(names.begin(), names.end(), name);
           result.push_back(at - names.begin());
           if (at == names.end())

@@ -10,6 +10,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -173,7 +174,8 @@ namespace NPT
   std::string
   describe_axes(const ParameterLoops         &loops,
                 const std::set<unsigned int> &axes,
-                const unsigned int            c)
+                const unsigned int            c,
+                const bool                    names_of_numbers_only)
   {
     std::string result;
     for (unsigned int l = 0; l < loops.loops().size(); ++l)
@@ -189,9 +191,13 @@ namespace NPT
                                   other.values == loop.values &&
                                   loop.is_array && (!other.is_array || k < l));
           }
-        if (!repeats)
-          result += (result.empty() ? "" : ", ") + loop.name + " " +
-                    display_value(loop, loops.value(l, c));
+        if (repeats)
+          continue;
+        const std::string value = display_value(loop, loops.value(l, c));
+        const bool        plain = names_of_numbers_only && !value.empty() &&
+                           std::isalpha(static_cast<unsigned char>(value[0]));
+        result +=
+          (result.empty() ? "" : ", ") + (plain ? "" : loop.name + " ") + value;
       }
     return result;
   }

@@ -88,11 +88,15 @@ namespace NPT
   /**
    * Words for a case or panel: the values of the given axes. An array that
    * only repeats the values of its partner (equal penalties) is left out.
+   *
+   * @param names_of_numbers_only Values that are words stand alone: "mortar"
+   *   for "Method mortar".
    */
   std::string
   describe_axes(const ParameterLoops         &loops,
                 const std::set<unsigned int> &axes,
-                const unsigned int            c);
+                const unsigned int            c,
+                const bool                    names_of_numbers_only = false);
 } // namespace NPT
 
 #endif
