@@ -50,6 +50,20 @@ namespace NPT
 
 
 
+  Tensor<1, 3>
+  macroscopic_jump(const unsigned int       n,
+                   const SymmetryOperation &g,
+                   const Point<3>          &Y)
+  {
+    const Tensor<1, 3> here = macroscopic_displacement(n, Y);
+    Tensor<1, 3>       jump = macroscopic_displacement(n, g(Y));
+    for (unsigned int i = 0; i < 3; ++i)
+      jump[i] -= g.Q[i] * here[i];
+    return jump;
+  }
+
+
+
   bool
   SymmetryOperation::keeps_mode(const unsigned int n) const
   {
@@ -549,6 +563,59 @@ namespace NPT
         if (!pair.primaries.empty())
           contacts_.push_back(pair);
       }
+  }
+
+
+
+  std::vector<CrossingPiece>
+  FabricCell::repeat() const
+  {
+    std::vector<CrossingPiece> pieces;
+    if (parameters_.type == "laminate")
+      {
+        const SymmetryOperation identity{"",
+                                         Tensor<1, 3>({1., 1., 1.}),
+                                         Tensor<1, 3>()};
+        for (unsigned int b = 0; b < bundles_.size(); ++b)
+          pieces.push_back({b, 0, identity, true, true});
+        return pieces;
+      }
+
+    const WeavePattern weave(parameters_.weave);
+    for (const bool warp : {true, false})
+      {
+        const int n_parallel =
+          std::max(2u, warp ? weave.n_warp() : weave.n_weft());
+        const int n_along =
+          std::max(2u, warp ? weave.n_weft() : weave.n_warp());
+        const int    along = warp ? 0 : 1, across = 1 - along;
+        const double along_L  = warp ? L1_ : L2_;
+        const double across_L = warp ? L2_ : L1_;
+        // Crossings lie at whole or at half numbers of spacings.
+        const auto number = [](const double position, const double L) {
+          return static_cast<int>(std::floor(position / L + 0.25));
+        };
+        std::vector<bool> known(n_parallel * n_along, false);
+        for (const SymmetryOperation &g : lattice_) // nearest first
+          for (unsigned int b = 0; b < bundles_.size(); ++b)
+            {
+              const Strand &s = strands_[b];
+              const int     i = number(s.position + g.a[across], across_L);
+              if ((bundles_[b].family == FiberBundle::Family::warp) != warp ||
+                  i < 0 || i >= n_parallel)
+                continue;
+              for (unsigned int k = 0; k < s.n_crossings; ++k)
+                {
+                  const int j =
+                    number(s.begin + (k + 0.5) * along_L + g.a[along], along_L);
+                  if (j < 0 || j >= n_along || known[i * n_along + j])
+                    continue;
+                  known[i * n_along + j] = true;
+                  pieces.push_back({b, k, g, j == 0, j == n_along - 1});
+                }
+            }
+      }
+    return pieces;
   }
 
 

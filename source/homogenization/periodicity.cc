@@ -254,12 +254,10 @@ namespace NPT
                           const SymmetryOperation &g,
                           const unsigned int       i) {
       const Point<3> Y = woven.empty() ? space.control_points()[A] : woven[A];
-      const Point<3> Z = g(Y);
       Affine         affine(MacroUnknowns::n_macro, 0.);
       for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
         if (mode_allowed[n])
-          affine[n] = macroscopic_displacement(n, Z)[i] -
-                      g.Q[i] * macroscopic_displacement(n, Y)[i];
+          affine[n] = macroscopic_jump(n, g, Y)[i];
       return affine;
     };
 

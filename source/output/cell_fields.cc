@@ -45,19 +45,18 @@ namespace NPT
 
 
 
-  BezierMesh
-  make_bundle_fields(
+  std::vector<std::array<double, n_control_point_stresses>>
+  stresses_at_control_points(
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
     const std::vector<CellGradients>                       &gradients,
     const Vector<double>                                   &u)
   {
-    // Stresses at control points: means weighted with their functions.
-    constexpr unsigned int           n_stress = 8; // sigma (6), Mises, J
-    std::vector<std::vector<double>> stress(space.n_control_points(),
-                                            std::vector<double>(n_stress, 0.));
-    std::vector<double>              weight(space.n_control_points(), 0.);
-    std::vector<double>              w;
+    constexpr unsigned int n_stress = n_control_point_stresses;
+    std::vector<std::array<double, n_stress>> stress(
+      space.n_control_points(), std::array<double, n_stress>{});
+    std::vector<double> weight(space.n_control_points(), 0.);
+    std::vector<double> w;
     for (unsigned int c = 0; c < space.cells().size(); ++c)
       {
         const CellGradients &cell = gradients[c];
@@ -99,7 +98,19 @@ namespace NPT
     for (unsigned int A = 0; A < stress.size(); ++A)
       for (double &value : stress[A])
         value /= weight[A];
+    return stress;
+  }
 
+
+
+  BezierMesh
+  make_bundle_fields(
+    const IGASpace<3>                                      &space,
+    const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
+    const std::vector<CellGradients>                       &gradients,
+    const Vector<double>                                   &u)
+  {
+    const auto stress = stresses_at_control_points(space, laws, gradients, u);
     const std::vector<Column> columns = {{"displacement", 3},
                                          {"Cauchy_stress", 6},
                                          {"von_Mises_stress", 1},

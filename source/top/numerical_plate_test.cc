@@ -55,6 +55,8 @@ namespace NPT
         run_stage(stage);
         if (parameters_.output.fields != "none")
           output_fields();
+        if (parameters_.output.picture)
+          draw_cell(stage);
         stages_done_ += 1;
       }
     finish_output();

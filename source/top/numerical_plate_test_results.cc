@@ -5,11 +5,15 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/output/cell_fields.h>
+#include <npt_dealii/output/cell_picture.h>
+#include <npt_dealii/output/gnuplot.h>
 #include <npt_dealii/output/hysteresis.h>
 #include <npt_dealii/output/plots.h>
 #include <npt_dealii/top/numerical_plate_test.h>
 
 #include <algorithm>
+#include <cctype>
+#include <exception>
 #include <sstream>
 
 namespace NPT
@@ -165,6 +169,60 @@ namespace NPT
         contact_files_.emplace_back(time, name);
       }
     write_pvd(directory_ + "/contact.pvd", contact_files_);
+  }
+
+
+
+  void
+  NumericalPlateTest::draw_cell(const LoadStage &stage)
+  {
+    if (directory_.empty())
+      return;
+    TimerOutput::Scope timer(timer_, "Output");
+    std::string        warning;
+    // A picture is not worth a run, so even a full disk does not end it here.
+    try
+      {
+        const IGASpace<3> &space = bodies_->space();
+        PictureState       state;
+        for (unsigned int A = 0; A < space.n_control_points(); ++A)
+          state.positions.push_back(
+            space.control_points()[A] +
+            Tensor<1, 3>({u_[3 * A], u_[3 * A + 1], u_[3 * A + 2]}));
+        for (const auto &stress : stresses_at_control_points(
+               space, bodies_->laws(), bodies_->gradients(), u_))
+          state.values.push_back(stress[von_mises_stress]);
+        state.woven = woven_;
+        for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+          state.H[n] = u_[macro_.mode(n)];
+
+        std::ostringstream title;
+        title << "Stage " << stage.name << ", load factor " << load_factor_;
+        for (const auto &[n, target] : stage.H_targets)
+          title << ", H" << n + 1 << " = " << state.H[n]
+                << (n < 3 ? "" : " 1/mm");
+        for (const auto &[n, target] : stage.n_targets)
+          title << ", n" << n + 1 << " = " << applied_[n]
+                << (n < 3 ? " N/mm" : " N");
+        std::string name = "cell_" + stage.name;
+        for (char &c : name)
+          if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')
+            c = '_';
+        write_cell_picture(directory_,
+                           name,
+                           title.str(),
+                           "von Mises stress [MPa]",
+                           make_picture_surfaces(*cell_, space, state));
+        if (gnuplot_works_)
+          warning = run_gnuplot(directory_ + "/" + name + ".gp");
+      }
+    catch (const std::exception &failure)
+      {
+        warning = std::string("The cell is not drawn: ") + failure.what();
+      }
+    if (gnuplot_works_ && !warning.empty())
+      log_.warning(warning);
+    gnuplot_works_ = gnuplot_works_ && warning.empty();
   }
 
 

@@ -101,6 +101,15 @@ namespace NPT
     unsigned int              direction = 2; ///< as in SurfaceImage
   };
 
+  /// One crossing of a bundle of the cell, seen through a shift of the cell.
+  struct CrossingPiece
+  {
+    unsigned int      bundle;
+    unsigned int      crossing; ///< of the bundle, from 0
+    SymmetryOperation operation;
+    bool              first, last; ///< along its strand in the repeat
+  };
+
   /**
    * The cell in its reference configuration: every bundle straight with its
    * own mid-plane at Z3 = 0, so that cell coordinates are those of the woven
@@ -193,6 +202,22 @@ namespace NPT
     unsigned int
     multiplicity(const unsigned int bundle, const dealii::Point<3> &Y) const;
 
+    /**
+     * The pieces of which one repeat of the weave is put together, at least two
+     * crossings by two, whatever the type of the cell: one piece of warp and
+     * one of weft at each crossing, by translations and glide planes but never
+     * by the 2-fold axis. The plies of a laminate are one piece each.
+     */
+    std::vector<CrossingPiece>
+    repeat() const;
+
+    /// Crossings of a bundle; 1 for a ply.
+    unsigned int
+    n_crossings(const unsigned int bundle) const
+    {
+      return strands_[bundle].n_crossings;
+    }
+
     /// The weaving offset t of straight bundles that just touch [mm].
     double
     weaving_offset() const
@@ -269,6 +294,19 @@ namespace NPT
    */
   dealii::Tensor<1, 3>
   macroscopic_displacement(const unsigned int n, const dealii::Point<3> &Y);
+
+  /**
+   * What one unit of H_n (n = 0..5) adds to the displacement of an image of the
+   * cell, w(gY) = Q w(Y) + jump, with g Y = Q Y + a:
+   *
+   * @f[ w_m(QY + a) - Q\,w_m(Y) . @f]
+   *
+   * Affine in Y for all modes that the operation allows.
+   */
+  dealii::Tensor<1, 3>
+  macroscopic_jump(const unsigned int       n,
+                   const SymmetryOperation &g,
+                   const dealii::Point<3>  &Y);
 } // namespace NPT
 
 #endif

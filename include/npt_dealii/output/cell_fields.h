@@ -11,16 +11,36 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
 namespace NPT
 {
+  /// Cauchy stress (xx, yy, zz, xy, yz, xz), von Mises stress [MPa], J [-].
+  constexpr unsigned int n_control_point_stresses = 8;
+  /// Place of the von Mises stress among them.
+  constexpr unsigned int von_mises_stress = 6;
+
+  /**
+   * Coefficients of the stress at the state u, one row per control point.
+   * Stresses live at Gauss points; each control point gets the mean weighted
+   * with its function,
+   *
+   * @f[ s_A = \int R_A s \, dV \Big/ \int R_A \, dV . @f]
+   */
+  std::vector<std::array<double, n_control_point_stresses>>
+  stresses_at_control_points(
+    const IGASpace<3>                                      &space,
+    const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
+    const std::vector<CellGradients>                       &gradients,
+    const dealii::Vector<double>                           &u);
+
   /**
    * Bundles in the current configuration as Bezier cells, with displacement
-   * [mm], Cauchy stress [MPa], von Mises stress [MPa], stretch of the fibers
-   * sqrt(I4) [-] and the number of the bundle. Stresses live at Gauss points;
-   * each control point gets the mean weighted with its function.
+   * [mm], Cauchy stress [MPa], von Mises stress [MPa], volume ratio J [-] and
+   * the number of the bundle. Stresses are those of
+   * stresses_at_control_points().
    */
   BezierMesh
   make_bundle_fields(

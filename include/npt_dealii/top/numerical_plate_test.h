@@ -116,6 +116,10 @@ namespace NPT
     // Results, numerical_plate_test_results.cc.
     void
     output_fields();
+    /// Draw the deformed cell at the end of a stage. Whatever goes wrong is a
+    /// warning in the log, once.
+    void
+    draw_cell(const LoadStage &stage);
     void
     finish_output();
     void
@@ -171,8 +175,9 @@ namespace NPT
     std::vector<CurveRow>                       curve_;
     std::unique_ptr<CurveWriter>                curve_writer_;
     std::vector<std::pair<double, std::string>> bundle_files_, contact_files_;
-    unsigned int                                cuts_        = 0;
-    double                                      stages_done_ = 0;
+    unsigned int                                cuts_          = 0;
+    double                                      stages_done_   = 0;
+    bool                                        gnuplot_works_ = true;
     std::string                                 failure_reason_;
   };
 } // namespace NPT
