@@ -147,6 +147,20 @@ namespace NPT
 
 
 
+    FaceGrid
+    first_and_last_column(const FaceGrid &grid)
+    {
+      FaceGrid result{2, {}};
+      for (unsigned int i = 0; i < grid.points.size(); i += grid.n_columns)
+        {
+          result.points.push_back(grid.points[i]);
+          result.points.push_back(grid.points[i + grid.n_columns - 1]);
+        }
+      return result;
+    }
+
+
+
     // The image of a point of the base cell.
     std::array<double, 4>
     image(const FacePoint             &point,
@@ -181,6 +195,7 @@ namespace NPT
       }
     const FaceSampler sampler(space, coefficients);
 
+    const bool laminate = cell.parameters().type == "laminate";
     // Images of the same crossing share their points.
     std::map<std::array<unsigned int, 4>, FaceGrid> grids;
     std::vector<PictureSurface>                     surfaces;
@@ -204,20 +219,27 @@ namespace NPT
                 {piece.bundle, piece.crossing, direction, side}};
               auto found = grids.find(key);
               if (found == grids.end())
-                found = grids
-                          .emplace(key,
-                                   sampler.sample(
-                                     piece.bundle,
-                                     box,
-                                     direction,
-                                     side,
-                                     {{parts(n_along), parts(box[1][1]), 1u}}))
-                          .first;
+                {
+                  FaceGrid grid =
+                    sampler.sample(piece.bundle,
+                                   box,
+                                   direction,
+                                   side,
+                                   {{parts(n_along), parts(box[1][1]), 1u}});
+                  // Narrow edges in one quadrilateral: the lower of several
+                  // would be sorted behind the bundle below.
+                  if (direction == 1 && !laminate)
+                    grid = first_and_last_column(grid);
+                  found = grids.emplace(key, grid).first;
+                }
               PictureSurface surface;
               surface.n_columns = found->second.n_columns;
               for (const FacePoint &point : found->second.points)
                 surface.points.push_back(
                   image(point, piece.operation, state.H));
+              // A glide plane turns bottom and top over.
+              surface.faces_down =
+                direction == 2 && (side == 0) == (piece.operation.Q[2] > 0.);
               surfaces.push_back(surface);
             }
       }
@@ -233,56 +255,67 @@ namespace NPT
                      const std::string                 &quantity,
                      const std::vector<PictureSurface> &surfaces)
   {
+    unsigned int n_drawn = 0;
     replace_file(folder + "/" + name + ".dat", [&](std::ostream &out) {
       // A blank line ends a row of a grid, two end the grid.
       out << "# x [mm], y [mm], z [mm], " << quantity << '\n';
       char line[128];
-      for (const PictureSurface &surface : surfaces)
-        {
-          for (unsigned int i = 0; i < surface.points.size(); ++i)
-            {
-              const auto &point = surface.points[i];
-              std::snprintf(line,
-                            sizeof(line),
-                            "%.4f %.4f %.4f %.5g\n",
-                            point[0],
-                            point[1],
-                            point[2],
-                            point[3]);
-              out << line;
-              if ((i + 1) % surface.n_columns == 0)
-                out << '\n';
-            }
-          out << '\n';
-        }
+      for (const bool down : {false, true})
+        for (const PictureSurface &surface : surfaces)
+          {
+            if (surface.faces_down != down)
+              continue;
+            n_drawn += down ? 0 : 1;
+            for (unsigned int i = 0; i < surface.points.size(); ++i)
+              {
+                const auto &point = surface.points[i];
+                std::snprintf(line,
+                              sizeof(line),
+                              "%.4f %.4f %.4f %.4g\n",
+                              point[0],
+                              point[1],
+                              point[2],
+                              point[3]);
+                out << line;
+                if ((i + 1) % surface.n_columns == 0)
+                  out << '\n';
+              }
+            out << '\n';
+          }
     });
 
     GnuplotPicture picture;
     picture.name   = name;
-    picture.width  = 800;
-    picture.height = 560;
+    picture.width  = 760;
+    picture.height = 480;
     picture.title  = title;
     picture.settings =
       "set datafile separator whitespace\n"
       "unset datafile columnheaders\n"
-      "# Rotation about x from the view from above, then about z [degrees].\n"
-      "set view 50, 30\n"
+      "# Angles [degrees]: from the view from above, about z; then the scale.\n"
+      "set view 50, 30, 1.75\n"
       "set view equal xyz\n"
       "set pm3d depthorder\n"
-      "set pm3d lighting primary 0.35 specular 0.15\n"
-      "set palette defined (0 '#fff7cf', 1 '#fdd480', 2 '#f8964a', 3 '#dd4b3a', "
-      "4 '#97155b', 5 '#3b0f52')\n"
+      "set pm3d lighting primary 0.3 specular 0.05\n"
+      "set palette defined (0 '#fff7cf', 1 '#fdd480', 2 '#f8964a', 3 "
+      "'#dd4b3a', 4 '#97155b', 5 '#3b0f52')\n"
       "set cbrange [0:*]\n"
       "unset border; unset tics; unset grid; unset key\n"
       "set cbtics\n"
-      "set colorbox user origin 0.9, 0.2 size 0.022, 0.6\n"
+      "set colorbox user origin 0.88, 0.2 size 0.022, 0.6\n"
       "set cblabel " +
-      gnuplot_text(quantity) + "\n";
-    write_gnuplot_script(folder + "/" + name + ".gp",
-                         picture,
-                         [&](std::ostream &out) {
-                           out << "\n  splot " << gnuplot_text(name + ".dat")
-                               << " using 1:2:3:4 with pm3d";
-                         });
+      gnuplot_text(quantity) +
+      "\n"
+      "set arrow 1 from graph -0.12, -0.12, 0 to graph 0.1, -0.12, 0\n"
+      "set arrow 2 from graph -0.12, -0.12, 0 to graph -0.12, 0.1, 0\n"
+      "set label 1 'x_1' at graph 0.14, -0.12, 0 center\n"
+      "set label 2 'x_2' at graph -0.12, 0.14, 0 center\n";
+    write_gnuplot_script(
+      folder + "/" + name + ".gp", picture, [&](std::ostream &out) {
+        out << "\n  # What is seen from above; to look from below, leave out "
+               "`index`.\n  splot "
+            << gnuplot_text(name + ".dat") << " index 0:" << n_drawn - 1
+            << " using 1:2:3:4 with pm3d";
+      });
   }
 } // namespace NPT

@@ -67,7 +67,9 @@ namespace NPT
       prm.declare_entry("Picture",
                         "true",
                         Patterns::Bool(),
-                        "Draw curves.svg with gnuplot at the end.");
+                        "Draw with gnuplot: at the end of every stage the deformed "
+                        "cell, colored by von Mises stress (cell_STAGE.svg), "
+                        "and at the end of the run the curves (curves.svg).");
     }
     prm.leave_subsection();
   }

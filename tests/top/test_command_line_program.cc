@@ -153,7 +153,11 @@ TEST_CASE("A run leaves curves, fields, log, picture and the parameters that "
                            "used_parameters.prm",
                            "fields.pvd",
                            "contact.pvd",
-                           "curves.gp"})
+                           "curves.gp",
+                           "cell_weave.gp",
+                           "cell_weave.dat",
+                           "cell_shear.gp",
+                           "cell_shear.dat"})
     CHECK(fs::exists(results / name));
   // One pair of field files per stage, and the records name existing files.
   for (const char *record : {"fields.pvd", "contact.pvd"})

@@ -19,12 +19,7 @@ namespace NPT
   {
     unsigned int                       n_columns = 0;
     std::vector<std::array<double, 4>> points; ///< x, y, z [mm], value; by rows
-
-    unsigned int
-    n_quadrilaterals() const
-    {
-      return (n_columns - 1) * (points.size() / n_columns - 1);
-    }
+    bool faces_down = false; ///< the bottom of a bundle, hidden from above
   };
 
   /// The state of a cell that is drawn; one entry of each per control point.
@@ -58,7 +53,9 @@ namespace NPT
   /**
    * Write NAME.dat with the surfaces and NAME.gp, which draws them as NAME.svg
    * and NAME.png: seen obliquely from above, the nearer faces over the farther
-   * ones.
+   * ones. Faces that face down come last in the table and are not drawn: half
+   * of the work, and gnuplot, which sorts whole quadrilaterals by distance,
+   * would show corners of them where bundles touch.
    *
    * @param folder Existing folder.
    * @param title Above the picture.
