@@ -7,7 +7,7 @@
 
 #include <deal.II/base/polynomials_bernstein.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <ostream>
@@ -237,9 +237,12 @@ namespace NPT
               for (const FacePoint &point : found->second.points)
                 surface.points.push_back(
                   image(point, piece.operation, state.H));
-              // A glide plane turns bottom and top over.
-              surface.faces_down =
-                direction == 2 && (side == 0) == (piece.operation.Q[2] > 0.);
+              // A glide plane turns bottom and top over. The direction across
+              // is +y for the warp and -x for the weft.
+              if (direction == 2 && (side == 0) == (piece.operation.Q[2] > 0.))
+                surface.facing = PictureSurface::Facing::down;
+              else if (direction == 1 && side == 0 && !laminate)
+                surface.facing = PictureSurface::Facing::front;
               surfaces.push_back(surface);
             }
       }
@@ -255,17 +258,18 @@ namespace NPT
                      const std::string                 &quantity,
                      const std::vector<PictureSurface> &surfaces)
   {
-    unsigned int n_drawn = 0;
+    using Facing = PictureSurface::Facing;
+    std::map<Facing, unsigned int> number;
     replace_file(folder + "/" + name + ".dat", [&](std::ostream &out) {
       // A blank line ends a row of a grid, two end the grid.
       out << "# x [mm], y [mm], z [mm], " << quantity << '\n';
       char line[128];
-      for (const bool down : {false, true})
+      for (const Facing facing : {Facing::up, Facing::front, Facing::down})
         for (const PictureSurface &surface : surfaces)
           {
-            if (surface.faces_down != down)
+            if (surface.facing != facing)
               continue;
-            n_drawn += down ? 0 : 1;
+            ++number[facing];
             for (unsigned int i = 0; i < surface.points.size(); ++i)
               {
                 const auto &point = surface.points[i];
@@ -284,6 +288,17 @@ namespace NPT
           }
     });
 
+    // Half a quadrilateral of a wide face.
+    double nearer = 0;
+    for (const PictureSurface &surface : surfaces)
+      if (surface.facing == Facing::down)
+        {
+          const auto &a = surface.points[0],
+                     &b = surface.points[surface.n_columns];
+          nearer        = 0.5 * std::hypot(a[0] - b[0], a[1] - b[1]);
+          break;
+        }
+
     GnuplotPicture picture;
     picture.name   = name;
     picture.width  = 760;
@@ -292,8 +307,16 @@ namespace NPT
     picture.settings =
       "set datafile separator whitespace\n"
       "unset datafile columnheaders\n"
-      "# Angles [degrees]: from the view from above, about z; then the scale.\n"
-      "set view 50, 30, 1.75\n"
+      "# Angles [degrees]: from the view from above, about z.\n"
+      "tilt = 50; turn = 30\n"
+      "set view tilt, turn, 1.75\n"
+      "# By how much edges are sorted nearer [mm], along the line of sight.\n"
+      "nearer = " +
+      std::to_string(nearer) +
+      "\n"
+      "dx = nearer * sin(tilt * pi / 180) * sin(turn * pi / 180)\n"
+      "dy = -nearer * sin(tilt * pi / 180) * cos(turn * pi / 180)\n"
+      "dz = nearer * cos(tilt * pi / 180)\n"
       "set view equal xyz\n"
       "set pm3d depthorder\n"
       "set pm3d lighting primary 0.3 specular 0.05\n"
@@ -312,10 +335,17 @@ namespace NPT
       "set label 2 'x_2' at graph -0.12, 0.14, 0 center\n";
     write_gnuplot_script(
       folder + "/" + name + ".gp", picture, [&](std::ostream &out) {
-        out << "\n  # What is seen from above; to look from below, leave out "
-               "`index`.\n  splot "
-            << gnuplot_text(name + ".dat") << " index 0:" << n_drawn - 1
-            << " using 1:2:3:4 with pm3d";
+        const std::string  file    = gnuplot_text(name + ".dat");
+        const unsigned int n_up    = number[Facing::up];
+        const unsigned int n_front = number[Facing::front];
+        out
+          << "\n  # The faces behind these face down; plot the whole table to "
+             "look from below.\n  splot "
+          << file << " index 0:" << n_up - 1 << " using 1:2:3:4 with pm3d";
+        if (n_front > 0)
+          out << ", \\\n    " << file << " index " << n_up << ':'
+              << n_up + n_front - 1
+              << " using ($1+dx):($2+dy):($3+dz):4 with pm3d";
       });
   }
 } // namespace NPT

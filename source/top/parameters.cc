@@ -64,12 +64,13 @@ namespace NPT
                         Patterns::Selection("none|stages|steps"),
                         "When fields (VTU) are written: never, at the end of "
                         "every stage, or after every accepted load step.");
-      prm.declare_entry("Picture",
-                        "true",
-                        Patterns::Bool(),
-                        "Draw with gnuplot: at the end of every stage the deformed "
-                        "cell, colored by von Mises stress (cell_STAGE.svg), "
-                        "and at the end of the run the curves (curves.svg).");
+      prm.declare_entry(
+        "Picture",
+        "true",
+        Patterns::Bool(),
+        "Draw with gnuplot: at the end of every stage the deformed "
+        "cell, colored by von Mises stress (cell_STAGE.svg), "
+        "and at the end of the run the curves (curves.svg).");
     }
     prm.leave_subsection();
   }

@@ -198,7 +198,7 @@ TEST_CASE("The face that faces down is the lower one, also after a glide",
       double mean = 0;
       for (const auto &point : surface.points)
         mean += point[2] / surface.points.size();
-      CHECK(surface.faces_down == (mean < -0.1));
+      CHECK((surface.facing == PictureSurface::Facing::down) == (mean < -0.1));
     }
 }
 

@@ -19,7 +19,13 @@ namespace NPT
   {
     unsigned int                       n_columns = 0;
     std::vector<std::array<double, 4>> points; ///< x, y, z [mm], value; by rows
-    bool faces_down = false; ///< the bottom of a bundle, hidden from above
+    enum class Facing
+    {
+      up,    ///< and all that is nothing else
+      front, ///< edges that face +x or -y
+      down   ///< hidden from above
+    };
+    Facing facing = Facing::up;
   };
 
   /// The state of a cell that is drawn; one entry of each per control point.
@@ -55,7 +61,8 @@ namespace NPT
    * and NAME.png: seen obliquely from above, the nearer faces over the farther
    * ones. Faces that face down come last in the table and are not drawn: half
    * of the work, and gnuplot, which sorts whole quadrilaterals by distance,
-   * would show corners of them where bundles touch.
+   * would show corners of them where bundles touch. For the same reason the
+   * edges in front are sorted a little nearer than they are.
    *
    * @param folder Existing folder.
    * @param title Above the picture.
