@@ -98,23 +98,38 @@ namespace NPT
   run_gnuplot(const std::string &script)
   {
     const std::size_t slash = script.find_last_of('/');
-    const std::string folder =
-      (slash == std::string::npos ? "." : script.substr(0, slash + 1));
-    const std::string file =
-      (slash == std::string::npos ? script : script.substr(slash + 1));
+    if (slash == std::string::npos)
+      return run_gnuplot(".", {script});
+    return run_gnuplot(script.substr(0, slash + 1), {script.substr(slash + 1)});
+  }
+
+
+
+  std::string
+  run_gnuplot(const std::string              &folder,
+              const std::vector<std::string> &scripts)
+  {
+    std::string command = "cd " + quote_for_shell(folder) + " && gnuplot";
+    std::string names;
+    for (const std::string &script : scripts)
+      {
+        command += " " + quote_for_shell(script);
+        names +=
+          (names.empty() ? "" : ", ") +
+          (folder == "." ? "" : folder + (folder.back() == '/' ? "" : "/")) +
+          script;
+      }
 
     // 127 is the shell's answer to an unknown program.
     const int status =
-      std::system(("cd " + quote_for_shell(folder) + " && gnuplot " +
-                   quote_for_shell(file) + " >/dev/null 2>&1 </dev/null")
-                    .c_str());
+      std::system((command + " >/dev/null 2>&1 </dev/null").c_str());
     if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 0)
       return "";
     if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 127)
       return "gnuplot was not found, no picture is drawn; install gnuplot and "
              "run it on " +
-             script + ".";
-    return "gnuplot failed on " + script +
+             names + ".";
+    return "gnuplot failed on " + names +
            ", no picture is drawn; run it by hand to see why.";
   }
 } // namespace NPT

@@ -56,7 +56,7 @@ namespace NPT
         if (parameters_.output.fields != "none")
           output_fields();
         if (parameters_.output.picture)
-          draw_cell(stage);
+          write_picture(stage);
         stages_done_ += 1;
       }
     finish_output();

@@ -117,6 +117,7 @@ namespace NPT
   void
   NumericalPlateTest::give_up(const StageFailed &failure)
   {
+    draw_cells();
     if (failure.reason() == "loss of ellipticity")
       throw failure;
     const auto  lowest  = bodies_->lowest_acoustic_eigenvalue(u_);
@@ -174,12 +175,11 @@ namespace NPT
 
 
   void
-  NumericalPlateTest::draw_cell(const LoadStage &stage)
+  NumericalPlateTest::write_picture(const LoadStage &stage)
   {
     if (directory_.empty())
       return;
     TimerOutput::Scope timer(timer_, "Output");
-    std::string        warning;
     // A picture is not worth a run, so even a full disk does not end it here.
     try
       {
@@ -213,16 +213,26 @@ namespace NPT
                            title.str(),
                            "von Mises stress [MPa]",
                            make_picture_surfaces(*cell_, space, state));
-        if (gnuplot_works_)
-          warning = run_gnuplot(directory_ + "/" + name + ".gp");
+        cell_scripts_.push_back(name + ".gp");
       }
     catch (const std::exception &failure)
       {
-        warning = std::string("The cell is not drawn: ") + failure.what();
+        log_.warning(std::string("The cell is not drawn: ") + failure.what());
       }
-    if (gnuplot_works_ && !warning.empty())
+  }
+
+
+
+  void
+  NumericalPlateTest::draw_cells()
+  {
+    if (cell_scripts_.empty())
+      return;
+    TimerOutput::Scope timer(timer_, "Output");
+    const std::string  warning = run_gnuplot(directory_, cell_scripts_);
+    if (!warning.empty())
       log_.warning(warning);
-    gnuplot_works_ = gnuplot_works_ && warning.empty();
+    cell_scripts_.clear();
   }
 
 
@@ -240,6 +250,7 @@ namespace NPT
     warn_of_penetration();
     if (directory_.empty())
       return;
+    draw_cells();
     if (parameters_.output.picture)
       {
         TimerOutput::Scope timer(timer_, "Output");

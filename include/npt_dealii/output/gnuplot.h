@@ -8,6 +8,7 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace NPT
 {
@@ -44,13 +45,17 @@ namespace NPT
                        const std::function<void(std::ostream &)> &write_panels);
 
   /**
-   * Run gnuplot on a script in the script's folder.
+   * Run gnuplot on a script in the script's folder, or once on several scripts
+   * of one folder, which saves half of the time of a simple picture.
    *
    * @return Empty if all went well, else a warning of one line: without
    *   gnuplot a run has its numbers and only lacks the picture.
    */
   std::string
   run_gnuplot(const std::string &script);
+  std::string
+  run_gnuplot(const std::string              &folder,
+              const std::vector<std::string> &scripts);
 } // namespace NPT
 
 #endif

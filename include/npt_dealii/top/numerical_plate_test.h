@@ -116,10 +116,13 @@ namespace NPT
     // Results, numerical_plate_test_results.cc.
     void
     output_fields();
-    /// Draw the deformed cell at the end of a stage. Whatever goes wrong is a
-    /// warning in the log, once.
+    /// Write script and points of the picture of the deformed cell at the end
+    /// of a stage; draw_cells() draws them all. What goes wrong is a warning in
+    /// the log.
     void
-    draw_cell(const LoadStage &stage);
+    write_picture(const LoadStage &stage);
+    void
+    draw_cells();
     void
     finish_output();
     void
@@ -175,9 +178,9 @@ namespace NPT
     std::vector<CurveRow>                       curve_;
     std::unique_ptr<CurveWriter>                curve_writer_;
     std::vector<std::pair<double, std::string>> bundle_files_, contact_files_;
-    unsigned int                                cuts_          = 0;
-    double                                      stages_done_   = 0;
-    bool                                        gnuplot_works_ = true;
+    unsigned int                                cuts_        = 0;
+    double                                      stages_done_ = 0;
+    std::vector<std::string>                    cell_scripts_;
     std::string                                 failure_reason_;
   };
 } // namespace NPT
