@@ -18,29 +18,6 @@ namespace NPT
 
   namespace
   {
-    // Call visit(path, statement) for every `set`.
-    template <typename Text, typename Visitor>
-    void
-    visit_entries(Text &text, const Visitor &visit)
-    {
-      std::vector<std::string> path;
-      for (auto &statement : text.statements)
-        switch (statement.kind)
-          {
-            case Kind::subsection:
-              path.push_back(statement.name);
-              break;
-            case Kind::end:
-              path.pop_back();
-              break;
-            case Kind::set:
-              path.push_back(statement.name);
-              visit(joined(path, "/"), statement);
-              path.pop_back();
-              break;
-          }
-    }
-
     bool
     ends_with(const std::string &text, const std::string &end)
     {

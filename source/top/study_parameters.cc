@@ -115,21 +115,6 @@ namespace NPT
 
 
 
-    template <typename Visitor>
-    void
-    visit_entries(const ParameterText &text, const Visitor &visit)
-    {
-      std::string path;
-      for (const auto &statement : text.statements)
-        if (statement.kind == Kind::subsection)
-          path += statement.name + "/";
-        else if (statement.kind == Kind::end)
-          path.erase(path.size() < 2 ? 0 :
-                                       path.rfind('/', path.size() - 2) + 1);
-        else
-          visit(path + statement.name, statement);
-    }
-
     void
     append(ParameterText &text, const ParameterText &more)
     {

@@ -61,6 +61,35 @@ namespace NPT
    */
   ParameterText
   make_parameter_text(const std::string &content, const std::string &filename);
+
+  /**
+   * Call visit(path, statement) for every `set`, in reading order.
+   *
+   * @param text ParameterText, const or not: the visitor may change values.
+   * @param visit The path is "Subsection/Subsection/Entry".
+   */
+  template <typename Text, typename Visitor>
+  void
+  visit_entries(Text &text, const Visitor &visit)
+  {
+    std::string path; // of the present subsection, with a slash behind it
+    std::vector<std::size_t> lengths;
+    for (auto &statement : text.statements)
+      switch (statement.kind)
+        {
+          case ParameterText::Kind::subsection:
+            lengths.push_back(path.size());
+            path += statement.name + "/";
+            break;
+          case ParameterText::Kind::end:
+            path.resize(lengths.back());
+            lengths.pop_back();
+            break;
+          case ParameterText::Kind::set:
+            visit(path + statement.name, statement);
+            break;
+        }
+  }
 } // namespace NPT
 
 #endif
