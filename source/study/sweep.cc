@@ -52,6 +52,22 @@ namespace NPT
       return content.str();
     }
 
+    // The lines that mean something: parameters are compared by these, so that
+    // a text reworded in the program does not run finished cases again.
+    std::string
+    without_comments(const std::string &parameters)
+    {
+      std::istringstream lines(parameters);
+      std::string        line, result;
+      while (std::getline(lines, line))
+        {
+          const std::size_t first = line.find_first_not_of(" \t\r");
+          if (first != std::string::npos && line[first] != '#')
+            result += line + '\n';
+        }
+      return result;
+    }
+
     bool
     is_parallel()
     {
@@ -340,14 +356,15 @@ namespace NPT
               std::max<unsigned int>(last_number,
                                      std::strtoul(name.c_str(), nullptr, 10));
             if (fs::exists(entry.path() / "case.prm"))
-              folder_of.emplace(read_text(entry.path() / "case.prm"),
+              folder_of.emplace(without_comments(
+                                  read_text(entry.path() / "case.prm")),
                                 "cases/" + name);
             fs::remove(entry.path() / "claim"); // of an interrupted study
           }
         std::set<std::string> seen;
         for (SweepCase &c : cases)
           {
-            std::string &folder = folder_of[c.parameters];
+            std::string &folder = folder_of[without_comments(c.parameters)];
             if (folder.empty())
               {
                 std::string number = std::to_string(++last_number);

@@ -169,6 +169,14 @@ TEST_CASE("Finished cases are known by their parameters and not run again",
   CHECK(second[2].result.status == "done");
   CHECK(second[1].result.status == "failed");
 
+  // Comments and blank lines say nothing about the run.
+  auto reworded              = make_cases({"true"});
+  reworded[0].parameters     = "# a new help text\n\n  # another\ntrue\n";
+  const std::string &folder0 = first[0].folder;
+  run_cases(reworded, options, log);
+  CHECK(reworded[0].folder == folder0);
+  CHECK(n_starts(folder, reworded[0]) == 1);
+
   // A run interrupted before its result was written is run again.
   fs::remove(folder / first[0].folder / "result.csv");
   options.repeat = false;
