@@ -59,7 +59,7 @@ namespace
 
     struct PinReactions
     {
-      std::vector<double> force;   // by pin, x and y of each body, then z [N]
+      std::vector<double> force;   // z, then x and y of each body [N]
       double              largest; // component of a nodal force [N]
     };
 

@@ -109,12 +109,14 @@ namespace NPT
     {
       double gap  = 0; ///< largest |p - lambda| / epsilon_N
       double slip = 0; ///< largest |t - lambda_t| / epsilon_T
+      // Both with the penalties as they have grown.
     };
     /// How far the evaluated state is from its multipliers.
     Violation
     violation() const;
     /// Uzawa's update: the evaluated tractions become the multipliers of the
-    /// present load step, and both penalties grow by a factor until it ends.
+    /// present load step, and both penalties grow by a factor. Only commit()
+    /// makes that growth part of the accepted state.
     void
     augment(const double growth = 1.);
 

@@ -25,7 +25,8 @@ namespace NPT
    * Solve a load step from the given x: once with the penalty method; with the
    * augmented Lagrangian repeat with the tractions of the last solution as
    * multipliers until penetration and stick drift are below their tolerances,
-   * (A17) of doc/theory.md.
+   * (A17) of doc/theory.md. Repetitions that gain little make the penalties
+   * grow; see ContactAssembler::augment().
    *
    * Throws NewtonNotConverged, "augmentation limit" if
    * ContactParameters::max_augmentations are not enough, and whatever
