@@ -47,6 +47,7 @@ namespace NPT
         row_start_.push_back(row_column_.size());
       }
     groups_.clear();
+    couplings_.clear();
     matrix_          = CSRMatrix();
     free_pattern_of_ = 0;
     prescribed_.assign(independent_.size(), false);
@@ -163,8 +164,9 @@ namespace NPT
   {
     // Which groups each independent unknown belongs to; then one row at a time
     // is gathered with a marker, so that nothing is sorted twice.
+    couplings_.insert(couplings.begin(), couplings.end());
     std::vector<Group> extra;
-    for (const auto &coupling : couplings)
+    for (const auto &coupling : couplings_)
       extra.push_back(make_group(coupling));
     std::vector<std::vector<const Group *>> member(independent_.size());
     for (const auto *list : {&groups_, &extra})

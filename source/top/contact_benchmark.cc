@@ -11,7 +11,6 @@
 #include <npt_dealii/top/contact_benchmark.h>
 #include <npt_dealii/top/contact_step.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -380,15 +379,8 @@ namespace NPT
       {
         if (!pattern_is_current_)
           {
-            // Couplings seen before stay, so that contact points that move to
-            // and fro do not rebuild the pattern each time.
-            const auto more = contact_->coupled_unknowns(
-              1e-3 * parameters_.benchmark.half_width);
-            couplings_.insert(couplings_.end(), more.begin(), more.end());
-            std::sort(couplings_.begin(), couplings_.end());
-            couplings_.erase(std::unique(couplings_.begin(), couplings_.end()),
-                             couplings_.end());
-            system_.build_pattern(couplings_);
+            system_.build_pattern(contact_->coupled_unknowns(
+              1e-3 * parameters_.benchmark.half_width));
             pattern_is_current_ = true;
           }
         system_.set_zero();

@@ -147,7 +147,7 @@ namespace NPT
                    macro_.n_unknowns());
 
     bodies_->add_groups(system_);
-    system_.build_pattern({});
+    system_.build_pattern();
     linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
     u_.reinit(macro_.n_unknowns());
 

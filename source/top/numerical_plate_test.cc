@@ -190,7 +190,6 @@ namespace NPT
       make_couplings(*cell_, bodies_->space(), macro_, ghosts_, woven_, pins_);
     system_.reinit(constraints, macro_.n_unknowns());
     bodies_->add_groups(system_);
-    contact_couplings_.clear();
     pattern_is_current_ = false;
 
     // Where the macro unknowns come from and go to.
@@ -547,21 +546,14 @@ namespace NPT
   NumericalPlateTest::rebuild_pattern()
   {
     TimerOutput::Scope timer(timer_, "Pattern");
-    // Couplings seen before stay, so that contact points that move to and fro
-    // do not rebuild the pattern each time.
     const double margin = 0.02 * parameters_.cell.bundle_thickness.smaller();
+    std::vector<std::vector<unsigned int>> couplings;
     for (const auto &contact : contacts_)
       {
-        auto couplings = contact->coupled_unknowns(margin);
-        contact_couplings_.insert(contact_couplings_.end(),
-                                  couplings.begin(),
-                                  couplings.end());
+        const auto more = contact->coupled_unknowns(margin);
+        couplings.insert(couplings.end(), more.begin(), more.end());
       }
-    std::sort(contact_couplings_.begin(), contact_couplings_.end());
-    contact_couplings_.erase(std::unique(contact_couplings_.begin(),
-                                         contact_couplings_.end()),
-                             contact_couplings_.end());
-    system_.build_pattern(contact_couplings_);
+    system_.build_pattern(couplings);
     pattern_is_current_ = true;
   }
 

@@ -237,7 +237,7 @@ namespace NPT
     constraints.close();
     system_.reinit(constraints, body_->n_displacements());
     body_->add_groups(system_);
-    system_.build_pattern({});
+    system_.build_pattern();
     system_.set_prescribed(std::vector<bool>(system_.n_independent(), false));
   }
 
@@ -395,7 +395,7 @@ namespace NPT
     system_.reinit(dealii::AffineConstraints<double>(),
                    body_->n_displacements());
     body_->add_groups(system_);
-    system_.build_pattern({});
+    system_.build_pattern();
 
     // w = (F - 1) X is a linear field, which control points carry like nodes.
     std::vector<bool> prescribed(system_.n_independent(), false);

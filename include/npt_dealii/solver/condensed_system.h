@@ -9,6 +9,7 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <set>
 #include <vector>
 
 namespace NPT
@@ -28,7 +29,7 @@ namespace NPT
   class CondensedSystem
   {
   public:
-    /// Number the independent unknowns. Forgets groups and pattern.
+    /// Number the independent unknowns. Forgets groups, couplings and pattern.
     void
     reinit(const dealii::AffineConstraints<double> &constraints,
            const unsigned int                       n_unknowns);
@@ -69,10 +70,11 @@ namespace NPT
 
     /**
      * Build the pattern of all groups and of further couplings (contact).
-     * Sets the matrix to zero.
+     * Those given before stay, so that contact points that move to and fro do
+     * not change the pattern each time. Sets the matrix to zero.
      */
     void
-    build_pattern(const std::vector<std::vector<unsigned int>> &couplings);
+    build_pattern(const std::vector<std::vector<unsigned int>> &couplings = {});
 
     void
     set_zero()
@@ -142,9 +144,10 @@ namespace NPT
     std::vector<unsigned int> independent_;
     std::vector<int>          index_;
 
-    std::vector<Group>  groups_;
-    CSRMatrix           matrix_;
-    std::vector<double> scratch_, scratch2_;
+    std::vector<Group>                  groups_;
+    std::set<std::vector<unsigned int>> couplings_;
+    CSRMatrix                           matrix_;
+    std::vector<double>                 scratch_, scratch2_;
 
     std::vector<bool>         prescribed_;
     std::vector<unsigned int> free_;

@@ -174,15 +174,14 @@ namespace NPT
     RunLog                           log_;
     const double                     cpu_start_;
 
-    ContactModel                           model_;
-    std::unique_ptr<DeformableBodies>      bodies_;
-    std::unique_ptr<IGASurface<3>>         surfaces_[2]; // secondary, primary
-    std::unique_ptr<ContactAssembler<3>>   contact_;
-    CondensedSystem                        system_;
-    std::unique_ptr<LinearSolver>          linear_solver_;
-    std::vector<std::vector<unsigned int>> couplings_;
-    bool                                   pattern_is_current_ = false;
-    double                                 force_scale_        = 0;
+    ContactModel                         model_;
+    std::unique_ptr<DeformableBodies>    bodies_;
+    std::unique_ptr<IGASurface<3>>       surfaces_[2]; // secondary, primary
+    std::unique_ptr<ContactAssembler<3>> contact_;
+    CondensedSystem                      system_;
+    std::unique_ptr<LinearSolver>        linear_solver_;
+    bool                                 pattern_is_current_ = false;
+    double                               force_scale_        = 0;
 
     // Handles: how they are driven in this stage.
     struct HandleState

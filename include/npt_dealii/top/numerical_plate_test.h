@@ -151,12 +151,11 @@ namespace NPT
     Pins                          pins_;
 
     // The system of the present stage.
-    CondensedSystem                        system_;
-    std::unique_ptr<LinearSolver>          linear_solver_;
-    std::vector<std::vector<unsigned int>> contact_couplings_;
-    bool                                   pattern_is_current_ = false;
-    bool                                   friction_was_on_    = false;
-    double                                 force_scale_        = 0;
+    CondensedSystem               system_;
+    std::unique_ptr<LinearSolver> linear_solver_;
+    bool                          pattern_is_current_ = false;
+    bool                          friction_was_on_    = false;
+    double                        force_scale_        = 0;
 
     // The accepted state, and the one before for extrapolation.
     dealii::Vector<double> u_;          // full
