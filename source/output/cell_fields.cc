@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Fields of bundles and contact surfaces for VTU files.
 
+#include <npt_dealii/material/fiber_bundle_law.h>
 #include <npt_dealii/output/cell_fields.h>
 
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace NPT
@@ -41,22 +43,61 @@ namespace NPT
               mesh.point_data[f].values.push_back(bezier[b][at++]);
         }
     }
+
+    const Tensor<1, 3> *
+    fiber_of(const HyperelasticLaw<3> &law)
+    {
+      const auto *bundle = dynamic_cast<const FiberBundleLaw<3> *>(&law);
+      return bundle == nullptr ? nullptr : &bundle->fiber_direction();
+    }
+
+    void
+    add(PointState &sum, const double factor, const PointState &more)
+    {
+      sum.stress += factor * more.stress;
+      sum.von_mises += factor * more.von_mises;
+      sum.volume_ratio += factor * more.volume_ratio;
+      sum.fiber += factor * more.fiber;
+      sum.stretch += factor * more.stretch;
+      sum.fiber_shear += factor * more.fiber_shear;
+    }
   } // namespace
 
 
 
-  std::vector<std::array<double, n_control_point_stresses>>
-  stresses_at_control_points(
+  PointState
+  point_state(const HyperelasticLaw<3> &law, const Tensor<2, 3> &F)
+  {
+    Tensor<2, 3> P;
+    law.stress(F, P);
+    PointState result   = {};
+    result.volume_ratio = determinant(F);
+    result.stress       = symmetrize(P * transpose(F)) / result.volume_ratio;
+    result.von_mises    = std::sqrt(1.5) * deviator(result.stress).norm();
+    if (const Tensor<1, 3> *A = fiber_of(law))
+      {
+        const Tensor<1, 3> along  = F * *A;
+        const Tensor<1, 3> normal = transpose(invert(F)) * *A;
+        result.stretch            = along.norm();
+        result.fiber              = along / result.stretch;
+        // Their product is A.A = 1.
+        result.fiber_shear = cross_product_3d(along, normal).norm();
+      }
+    return result;
+  }
+
+
+
+  std::vector<PointState>
+  states_at_control_points(
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
     const std::vector<CellGradients>                       &gradients,
     const Vector<double>                                   &u)
   {
-    constexpr unsigned int n_stress = n_control_point_stresses;
-    std::vector<std::array<double, n_stress>> stress(
-      space.n_control_points(), std::array<double, n_stress>{});
-    std::vector<double> weight(space.n_control_points(), 0.);
-    std::vector<double> w;
+    std::vector<PointState> states(space.n_control_points(), PointState());
+    std::vector<double>     weight(space.n_control_points(), 0.);
+    std::vector<double>     w;
     for (unsigned int c = 0; c < space.cells().size(); ++c)
       {
         const CellGradients &cell = gradients[c];
@@ -67,38 +108,29 @@ namespace NPT
             w[i * A.size() + a] = u[3 * A[a] + i];
         for (unsigned int q = 0; q < cell.n_points; ++q)
           {
-            Tensor<2, 3> F, P;
+            Tensor<2, 3> F;
             double       raw[9];
             SolidKernel::deformation_gradient(cell, w, q, raw);
             for (unsigned int k = 0; k < 9; ++k)
               F[k / 3][k % 3] = raw[k];
-            laws[space.cells()[c].patch]->stress(F, P);
-            const double       J     = determinant(F);
-            const Tensor<2, 3> sigma = P * transpose(F) / J;
-            const Tensor<2, 3> deviator =
-              sigma - trace(sigma) / 3. * dealii::unit_symmetric_tensor<3>();
-            const double value[n_stress] = {sigma[0][0],
-                                            sigma[1][1],
-                                            sigma[2][2],
-                                            sigma[0][1],
-                                            sigma[1][2],
-                                            sigma[0][2],
-                                            std::sqrt(1.5) * deviator.norm(),
-                                            J};
+            const PointState state =
+              point_state(*laws[space.cells()[c].patch], F);
             for (unsigned int a = 0; a < A.size(); ++a)
               {
                 const double share =
                   cell.values[q * cell.n_functions + a] * cell.jxw[q];
                 weight[A[a]] += share;
-                for (unsigned int k = 0; k < n_stress; ++k)
-                  stress[A[a]][k] += share * value[k];
+                add(states[A[a]], share, state);
               }
           }
       }
-    for (unsigned int A = 0; A < stress.size(); ++A)
-      for (double &value : stress[A])
-        value /= weight[A];
-    return stress;
+    for (unsigned int A = 0; A < states.size(); ++A)
+      {
+        PointState mean = {};
+        add(mean, 1. / weight[A], states[A]);
+        states[A] = mean;
+      }
+    return states;
   }
 
 
@@ -110,12 +142,21 @@ namespace NPT
     const std::vector<CellGradients>                       &gradients,
     const Vector<double>                                   &u)
   {
-    const auto stress = stresses_at_control_points(space, laws, gradients, u);
-    const std::vector<Column> columns = {{"displacement", 3},
-                                         {"Cauchy_stress", 6},
-                                         {"von_Mises_stress", 1},
-                                         {"volume_ratio", 1}};
-    BezierMesh                mesh;
+    const auto states = states_at_control_points(space, laws, gradients, u);
+    const bool have_fibers =
+      std::any_of(laws.begin(), laws.end(), [](const auto &law) {
+        return fiber_of(*law) != nullptr;
+      });
+    std::vector<Column> columns = {{"displacement", 3},
+                                   {"Cauchy_stress", 6},
+                                   {"von_Mises_stress", 1},
+                                   {"volume_ratio", 1}};
+    if (have_fibers)
+      columns.insert(columns.end(),
+                     {{"fiber_direction", 3},
+                      {"fiber_stretch", 1},
+                      {"fiber_shear", 1}});
+    BezierMesh mesh;
     mesh.dim = 3;
     for (const Column &column : columns)
       mesh.point_data.push_back({column.name, column.n_components, {}});
@@ -130,12 +171,29 @@ namespace NPT
         for (unsigned int a = 0; a < A.size(); ++a)
           {
             all.push_back(a);
+            const PointState   &state = states[A[a]];
+            const auto         &s     = state.stress;
             std::vector<double> row;
             for (unsigned int i = 0; i < 3; ++i)
               row.push_back(space.control_points()[A[a]][i] + u[3 * A[a] + i]);
             for (unsigned int i = 0; i < 3; ++i)
               row.push_back(u[3 * A[a] + i]);
-            row.insert(row.end(), stress[A[a]].begin(), stress[A[a]].end());
+            row.insert(row.end(),
+                       {s[0][0],
+                        s[1][1],
+                        s[2][2],
+                        s[0][1],
+                        s[1][2],
+                        s[0][2],
+                        state.von_mises,
+                        state.volume_ratio});
+            if (have_fibers)
+              row.insert(row.end(),
+                         {state.fiber[0],
+                          state.fiber[1],
+                          state.fiber[2],
+                          state.stretch,
+                          state.fiber_shear});
             coefficients.push_back(row);
           }
         std::vector<double> weights;

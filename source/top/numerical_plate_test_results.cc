@@ -189,9 +189,9 @@ namespace NPT
           state.positions.push_back(
             space.control_points()[A] +
             Tensor<1, 3>({u_[3 * A], u_[3 * A + 1], u_[3 * A + 2]}));
-        for (const auto &stress : stresses_at_control_points(
+        for (const PointState &point : states_at_control_points(
                space, bodies_->laws(), bodies_->gradients(), u_))
-          state.values.push_back(stress[von_mises_stress]);
+          state.values.push_back(point.von_mises);
         state.woven = woven_;
         for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
           state.H[n] = u_[macro_.mode(n)];

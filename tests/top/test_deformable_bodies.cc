@@ -2,6 +2,7 @@
 // Claims about the assembly of deformable bodies.
 
 #include <npt_dealii/material/make_material.h>
+#include <npt_dealii/output/cell_fields.h>
 #include <npt_dealii/top/benchmark_bodies.h>
 #include <npt_dealii/top/deformable_bodies.h>
 
@@ -10,9 +11,11 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <map>
 
 using namespace NPT;
 using dealii::Point;
+using dealii::Tensor;
 using dealii::Vector;
 
 namespace
@@ -127,4 +130,48 @@ TEST_CASE("An inverted cell is reported with the name of its part", "[top]")
     u[3 * A] = -2. * bodies.space().control_points()[A][0];
   CHECK_THROWS_WITH(bodies.add_residual(u, force),
                     Catch::Contains("cell 0 of the tube"));
+}
+
+
+
+TEST_CASE("Fields of an affine displacement are those of its gradient at every "
+          "Bezier point",
+          "[top]")
+{
+  const auto         bodies = make_tube();
+  const Tensor<2, 3> F({{1.05, 0.1, 0.}, {0.2, 0.95, 0.}, {0., 0.1, 1.}});
+  Vector<double>     u(bodies.n_displacements());
+  const auto        &control_points = bodies.space().control_points();
+  for (unsigned int A = 0; A < control_points.size(); ++A)
+    {
+      const Tensor<1, 3> X = control_points[A];
+      const Tensor<1, 3> w = F * X - X;
+      for (unsigned int i = 0; i < 3; ++i)
+        u[3 * A + i] = w[i];
+    }
+  const PointState expected = point_state(*bodies.laws()[0], F);
+  const BezierMesh mesh =
+    make_bundle_fields(bodies.space(), bodies.laws(), bodies.gradients(), u);
+
+  const std::map<std::string, std::vector<double>> constant = {
+    {"von_Mises_stress", {expected.von_mises}},
+    {"volume_ratio", {expected.volume_ratio}},
+    {"fiber_direction",
+     {expected.fiber[0], expected.fiber[1], expected.fiber[2]}},
+    {"fiber_stretch", {expected.stretch}},
+    {"fiber_shear", {expected.fiber_shear}}};
+  unsigned int n_seen = 0;
+  for (const auto &field : mesh.point_data)
+    if (const auto known = constant.find(field.name); known != constant.end())
+      {
+        ++n_seen;
+        INFO(field.name);
+        double worst = 0;
+        for (unsigned int i = 0; i < field.values.size(); ++i)
+          worst = std::max(worst,
+                           std::abs(field.values[i] -
+                                    known->second[i % known->second.size()]));
+        CHECK(worst < 1e-10);
+      }
+  CHECK(n_seen == constant.size());
 }

@@ -9,28 +9,48 @@
 #include <npt_dealii/material/solid_kernel.h>
 #include <npt_dealii/output/field_writer.h>
 
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/vector.h>
 
-#include <array>
 #include <memory>
 #include <vector>
 
 namespace NPT
 {
-  /// Cauchy stress (xx, yy, zz, xy, yz, xz), von Mises stress [MPa], J [-].
-  constexpr unsigned int n_control_point_stresses = 8;
-  /// Place of the von Mises stress among them.
-  constexpr unsigned int von_mises_stress = 6;
+  /**
+   * What is known at a point of the bundles, with A the fiber direction of its
+   * law, otherwise zero from the fiber on.
+   */
+  struct PointState
+  {
+    dealii::SymmetricTensor<2, 3> stress;       ///< Cauchy stress [MPa]
+    double                        von_mises;    ///< [MPa]
+    double                        volume_ratio; ///< J = det F [-]
+    dealii::Tensor<1, 3>          fiber;        ///< F A / |F A| [-]
+    double                        stretch;      ///< |F A| [-]
+    /**
+     * tan of the angle between the fiber and the normal F^{-T} A of its cross
+     * section, (A.CA A.C^{-1}A - 1)^{1/2}: the amount of simple shear along
+     * or across the fiber [-].
+     */
+    double fiber_shear;
+  };
+
+  /// State of a point with the deformation gradient F.
+  PointState
+  point_state(const HyperelasticLaw<3> &law, const dealii::Tensor<2, 3> &F);
 
   /**
-   * Coefficients of the stress at the state u, one row per control point.
-   * Stresses live at Gauss points; each control point gets the mean weighted
-   * with its function,
+   * Coefficients of the fields of PointState at the state u, one row per
+   * control point. Gauss points know them; each control point gets the mean
+   * weighted with its function,
    *
    * @f[ s_A = \int R_A s \, dV \Big/ \int R_A \, dV . @f]
+   *
+   * A mean of unit vectors is shorter than one where they turn.
    */
-  std::vector<std::array<double, n_control_point_stresses>>
-  stresses_at_control_points(
+  std::vector<PointState>
+  states_at_control_points(
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
     const std::vector<CellGradients>                       &gradients,
@@ -38,9 +58,10 @@ namespace NPT
 
   /**
    * Bundles in the current configuration as Bezier cells, with displacement
-   * [mm], Cauchy stress [MPa], von Mises stress [MPa], volume ratio J [-] and
-   * the number of the bundle. Stresses are those of
-   * stresses_at_control_points().
+   * [mm], Cauchy stress (xx, yy, zz, xy, yz, xz) [MPa], von Mises stress [MPa],
+   * volume ratio [-], and, if a law has a fiber, its direction, stretch and
+   * shear [-], all from states_at_control_points(), and the number of the
+   * bundle.
    */
   BezierMesh
   make_bundle_fields(
