@@ -24,9 +24,9 @@ namespace NPT
    *
    * with the nodes I of Averaging. The three questions of contact are answered
    * one after the other: evaluate() finds where the surfaces are and how far
-   * apart (projection, averages) and what the laws answer; residual() and
-   * tangent() say where the traction acts. The assembled virtual work is
-   * delta W_int + C_c = 0 ((15) misprints the sign).
+   * apart (projection, averages) and what the laws answer; add_residual()
+   * and add_tangent() say where the traction acts. The assembled virtual work
+   * is delta W_int + C_c = 0 ((15) misprints the sign).
    *
    * Slip is measured in one of two ways. "closest point": as in the paper by
    * the increments of xi-bar. There the slip across an edge, a kink or a seam
@@ -236,6 +236,44 @@ namespace NPT
              const int             a,
              const PointFunctions &functions,
              std::vector<double>  &row) const;
+
+    // First variations of a point, or their averages at a node, on the control
+    // points: row 0 of the gap, then of the components of the slip, then, with
+    // slip by the closest point, of the metric.
+    struct Variations
+    {
+      std::vector<unsigned int> dofs; // first unknown of each function
+      std::array<std::vector<double>, 1 + m + ContactKinematics<dim>::n_metric>
+        rows;
+    };
+    unsigned int
+    n_variations() const;
+    void
+    point_variations(const unsigned int            q,
+                     const ContactKinematics<dim> &kinematics,
+                     const PointFunctions         &functions,
+                     Variations                   &variations) const;
+    // slot is scratch: position of an unknown in the average, else invalid.
+    void
+    average_variations(const unsigned int             I,
+                       const std::vector<Variations> &of_points,
+                       std::vector<unsigned int>     &slot,
+                       Variations                    &average) const;
+    // Terms of the tangent: t^a D(delta sigma_a), all second variations, and
+    // products of first variations with the derivatives of the laws.
+    void
+    add_slip_second_variation(const unsigned int    q,
+                              const PointFunctions &functions,
+                              std::vector<double>  &block) const;
+    void
+    add_second_variations(const unsigned int            q,
+                          const ContactKinematics<dim> &kinematics,
+                          const PointFunctions         &functions,
+                          std::vector<double>          &block) const;
+    void
+    add_first_variations(const unsigned int   I,
+                         const Variations    &variations,
+                         std::vector<double> &block) const;
     bool
     usable(const unsigned int q) const;
     void
