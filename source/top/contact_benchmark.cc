@@ -7,6 +7,7 @@
 #include <npt_dealii/output/cell_fields.h>
 #include <npt_dealii/output/field_writer.h>
 #include <npt_dealii/output/gnuplot.h>
+#include <npt_dealii/solver/condensed_problem.h>
 #include <npt_dealii/solver/step_control.h>
 #include <npt_dealii/top/contact_benchmark.h>
 #include <npt_dealii/top/contact_step.h>
@@ -191,9 +192,8 @@ namespace NPT
   ContactBenchmark::solve_load_step(const double load_factor)
   {
     const unsigned int first = bodies_->n_displacements();
-    Vector<double>     m_accepted, m, residual_m;
-    system_.restrict_to_independent(u_, m_accepted);
-    Vector<double> m_target = m_accepted;
+    Vector<double>     m_target;
+    system_.restrict_to_independent(u_, m_target);
     for (unsigned int k = 0; k < handles_.size(); ++k)
       {
         const double value = handles_[k].value(handles_[k].start, load_factor);
@@ -203,72 +203,38 @@ namespace NPT
           m_target[system_.independent_index(first + k)] = value;
       }
 
-    // Newton's unknowns are the free ones; the rest of m is on its target.
-    const auto residual = [&](const Vector<double> &x, Vector<double> &r) {
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        m[system_.free_unknown(k)] = x[k];
-      system_.expand(m, u_trial_);
-      assemble_residual(u_trial_, residual_);
-      system_.condense(residual_, residual_m);
-      r.reinit(system_.n_free());
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        r[k] = residual_m[system_.free_unknown(k)];
-    };
-    const auto prepare_tangent = [&](const Vector<double> &) {
-      assemble_tangent(u_trial_);
-      linear_solver_->factorize(system_.free_matrix());
-    };
-    const auto solve = [&](const Vector<double> &rhs, Vector<double> &dx) {
-      linear_solver_->solve(rhs, dx);
-    };
-
-    // Predictor: tangent at the accepted state, loaded by the increments of
-    // the prescribed handles and forces.
-    const auto follow_tangent = [&](Vector<double> &x) {
-      m = m_accepted;
-      x.reinit(system_.n_free());
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        x[k] = m_accepted[system_.free_unknown(k)];
-      Vector<double> r, dx, increment(m_target), K_increment,
-        rhs(system_.n_free());
-      residual(x, r);
-      prepare_tangent(x);
-      increment -= m_accepted;
-      system_.matrix().vmult(K_increment, increment);
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        rhs[k] = -r[k] - K_increment[system_.free_unknown(k)];
-      solve(rhs, dx);
-      x += dx;
-      m = m_target;
-    };
+    CondensedProblem step(system_,
+                          *linear_solver_,
+                          {[this](const Vector<double> &u, Vector<double> &r) {
+                             return assemble_residual(u, r);
+                           },
+                           [this](const Vector<double> &u) {
+                             assemble_tangent(u);
+                           }},
+                          u_,
+                          m_target,
+                          u_trial_,
+                          residual_);
 
     try
       {
         contact_->start_step(u_);
         Vector<double> x;
-        if (system_.n_free() > 0)
-          follow_tangent(x);
-        else
+        if (system_.n_free() == 0)
           {
             // Rigid bodies, all moved by hand: nothing is left to solve for.
-            m = m_target;
-            residual(x, x);
+            step.evaluate(x, x);
             report_           = NewtonReport();
             report_.converged = true;
             return true;
           }
-
-        NewtonProblem problem;
-        problem.residual        = residual;
-        problem.prepare_tangent = prepare_tangent;
-        problem.solve           = solve;
-        problem.force_scale     = [&]() { return force_scale_; };
-        const auto report       = solve_contact_step(parameters_.newton,
+        step.follow_tangent(x);
+        const auto report = solve_contact_step(parameters_.newton,
                                                parameters_.contact,
-                                               problem,
+                                               step.problem(),
                                                {contact_.get()},
                                                x);
-        report_                 = report.newton;
+        report_           = report.newton;
         return true;
       }
     catch (const LoadStepFailure &failure)
@@ -351,7 +317,7 @@ namespace NPT
 
   // -------------------------------------------------------------- assembly
 
-  void
+  double
   ContactBenchmark::assemble_residual(const Vector<double> &u,
                                       Vector<double>       &residual)
   {
@@ -362,12 +328,11 @@ namespace NPT
     contact_->evaluate(u);
     contact_->add_residual(force);
     residual += force;
-    // Convergence is measured against the forces before they cancel.
-    force_scale_ = std::sqrt(solids * solids + force.norm_sqr());
-
     for (unsigned int k = 0; k < handles_.size(); ++k)
       if (handles_[k].by_force)
         residual[bodies_->n_displacements() + k] -= handles_[k].applied;
+    // Convergence is measured against the forces before they cancel.
+    return std::sqrt(solids * solids + force.norm_sqr());
   }
 
 

@@ -7,6 +7,7 @@
 #include <npt_dealii/material/composite_bounds.h>
 #include <npt_dealii/output/cell_fields.h>
 #include <npt_dealii/output/replace_file.h>
+#include <npt_dealii/solver/condensed_problem.h>
 #include <npt_dealii/solver/step_control.h>
 #include <npt_dealii/study/identification_report.h>
 #include <npt_dealii/top/numerical_material_test.h>
@@ -285,83 +286,46 @@ namespace NPT
   NumericalMaterialTest::solve_load_step(const MaterialTest &test,
                                          const double        load_factor)
   {
-    const auto free = [&](const unsigned int k) {
-      return system_.free_unknown(k);
-    };
-    Vector<double> m_accepted, m_target;
-    system_.restrict_to_independent(u_, m_accepted);
-    m_target = m_accepted;
+    Vector<double> m_target;
+    system_.restrict_to_independent(u_, m_target);
     for (unsigned int e = 0; e < n_macro; ++e)
       if (!test.stress_controlled[e])
         m_target[system_.independent_index(macro_.first + e)] =
           load_factor * test.target[e];
 
-    // Newton's unknowns are the free ones; the rest of m is on its target.
-    Vector<double> m        = m_target, condensed;
-    const auto     residual = [&](const Vector<double> &x, Vector<double> &r) {
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        m[free(k)] = x[k];
-      system_.expand(m, u_trial_);
-      assemble_residual(u_trial_);
-      // Prescribed stresses act on the macro unknowns.
-      for (unsigned int e = 0; e < n_macro; ++e)
-        if (test.stress_controlled[e])
-          residual_[macro_.first + e] -=
-            load_factor * test.target[e] * cell_->volume();
-      system_.condense(residual_, condensed);
-      r.reinit(system_.n_free());
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        r[k] = condensed[free(k)];
-    };
-    const auto prepare_tangent = [&](const Vector<double> &) {
-      assemble_tangent(u_trial_);
-      linear_solver_->factorize(system_.free_matrix());
-    };
-    const auto solve = [&](const Vector<double> &rhs, Vector<double> &dx) {
-      linear_solver_->solve(rhs, dx);
-    };
-
-    // The first step follows the tangent at the natural state, later ones the
-    // line through the last two states.
-    const auto predict = [&](Vector<double> &x) {
-      Vector<double> x_accepted(system_.n_free()), r;
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        x_accepted[k] = m_accepted[free(k)];
-      if (has_previous_)
-        {
-          Vector<double> m_previous;
-          system_.restrict_to_independent(u_previous_, m_previous);
-          const double ratio = (load_factor - load_factor_) /
-                               (load_factor_ - load_factor_previous_);
-          x = x_accepted;
-          for (unsigned int k = 0; k < system_.n_free(); ++k)
-            x[k] += ratio * (m_accepted[free(k)] - m_previous[free(k)]);
-          return;
-        }
-      m = m_accepted;
-      residual(x_accepted, r);
-      prepare_tangent(x_accepted);
-      Vector<double> increment(m_target), K_increment, rhs(system_.n_free());
-      increment -= m_accepted;
-      system_.matrix().vmult(K_increment, increment);
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        rhs[k] = -r[k] - K_increment[free(k)];
-      solve(rhs, x);
-      x += x_accepted;
-      m = m_target;
-    };
+    CondensedProblem step(
+      system_,
+      *linear_solver_,
+      {[&](const Vector<double> &u, Vector<double> &r) {
+         r.reinit(u.size());
+         const double force_scale = bodies_->add_residual(u, r);
+         // Prescribed stresses act on the macro unknowns.
+         for (unsigned int e = 0; e < n_macro; ++e)
+           if (test.stress_controlled[e])
+             r[macro_.first + e] -=
+               load_factor * test.target[e] * cell_->volume();
+         return force_scale;
+       },
+       [this](const Vector<double> &u) { assemble_tangent(u); }},
+      u_,
+      m_target,
+      u_trial_,
+      residual_);
 
     // Only failures of the LoadStepFailure family are survivable.
     try
       {
-        Vector<double> x(system_.n_free());
-        predict(x);
-        NewtonProblem problem;
-        problem.residual        = residual;
-        problem.prepare_tangent = prepare_tangent;
-        problem.solve           = solve;
-        problem.force_scale     = [&]() { return force_scale_; };
-        report_                 = solve_newton(parameters_.newton, problem, x);
+        // The first step follows the tangent at the natural state, later ones
+        // the line through the last two states.
+        Vector<double> x;
+        if (has_previous_)
+          step.extrapolate(u_previous_,
+                           (load_factor - load_factor_) /
+                             (load_factor_ - load_factor_previous_),
+                           x);
+        else
+          step.follow_tangent(x);
+        report_ = solve_newton(parameters_.newton, step.problem(), x);
         return true;
       }
     catch (const LoadStepFailure &failure)
@@ -440,15 +404,6 @@ namespace NPT
 
 
   // -------------------------------------------------------------- assembly
-
-  void
-  NumericalMaterialTest::assemble_residual(const Vector<double> &u)
-  {
-    residual_.reinit(macro_.n_unknowns());
-    force_scale_ = bodies_->add_residual(u, residual_);
-  }
-
-
 
   void
   NumericalMaterialTest::assemble_tangent(const Vector<double> &u)

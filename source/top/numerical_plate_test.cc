@@ -4,6 +4,7 @@
 // in numerical_plate_test_results.cc.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/solver/condensed_problem.h>
 #include <npt_dealii/solver/step_control.h>
 #include <npt_dealii/top/cell_contacts.h>
 #include <npt_dealii/top/numerical_plate_test.h>
@@ -277,9 +278,8 @@ namespace NPT
       stage.type == LoadStage::Type::release ? 1. - load_factor : 1.;
 
     // Targets of this step.
-    Vector<double> m_accepted, m_target;
-    system_.restrict_to_independent(u_, m_accepted);
-    m_target = m_accepted;
+    Vector<double> m_target;
+    system_.restrict_to_independent(u_, m_target);
     for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
       if (k == MacroUnknowns::n_modes || !resultant_controlled_[k])
         m_target[system_.independent_index(macro_.first + k)] =
@@ -288,78 +288,37 @@ namespace NPT
       applied_[n] =
         force_start_[n] + load_factor * (force_target_[n] - force_start_[n]);
 
-    // Newton's unknowns are the free ones; the rest of m is on its target.
-    Vector<double> m        = m_target, residual_m;
-    const auto     set_free = [&](const Vector<double> &x) {
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        m[system_.free_unknown(k)] = x[k];
-    };
-    const auto residual = [&](const Vector<double> &x, Vector<double> &r) {
-      set_free(x);
-      system_.expand(m, u_trial_);
-      assemble_residual(u_trial_, residual_);
-      system_.condense(residual_, residual_m);
-      r.reinit(system_.n_free());
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        r[k] = residual_m[system_.free_unknown(k)];
-    };
-    const auto prepare_tangent = [&](const Vector<double> &) {
-      assemble_tangent(u_trial_);
-      TimerOutput::Scope timer(timer_, "Factorize");
-      linear_solver_->factorize(system_.free_matrix());
-    };
-    const auto solve = [&](const Vector<double> &rhs, Vector<double> &dx) {
-      TimerOutput::Scope timer(timer_, "Solve");
-      linear_solver_->solve(rhs, dx);
-    };
-
-    // Predictor 1: linear extrapolation of the last two accepted states.
-    const auto extrapolate = [&](Vector<double> &x) {
-      Vector<double> m_previous;
-      system_.restrict_to_independent(u_previous_, m_previous);
-      const double ratio =
-        (load_factor - load_factor_) / (load_factor_ - load_factor_previous_);
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        {
-          const unsigned int i = system_.free_unknown(k);
-          x[k] = m_accepted[i] + ratio * (m_accepted[i] - m_previous[i]);
-        }
-    };
-    // Predictor 2: tangent at the accepted state, loaded by the increments of
-    // the prescribed unknowns.
-    const auto follow_tangent = [&](Vector<double> &x) {
-      Vector<double> x_accepted(system_.n_free()), r;
-      m = m_accepted;
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        x_accepted[k] = m_accepted[system_.free_unknown(k)];
-      residual(x_accepted, r);
-      prepare_tangent(x_accepted);
-      Vector<double> increment(m_target), K_increment, rhs(system_.n_free());
-      increment -= m_accepted;
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        increment[system_.free_unknown(k)] = 0;
-      system_.matrix().vmult(K_increment, increment);
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        rhs[k] = -r[k] - K_increment[system_.free_unknown(k)];
-      solve(rhs, x);
-      x += x_accepted;
-      m = m_target;
-    };
+    CondensedProblem step(system_,
+                          *linear_solver_,
+                          {[this](const Vector<double> &u, Vector<double> &r) {
+                             return assemble_residual(u, r);
+                           },
+                           [this](const Vector<double> &u) {
+                             assemble_tangent(u);
+                           }},
+                          u_,
+                          m_target,
+                          u_trial_,
+                          residual_,
+                          &timer_);
 
     // Only failures of the LoadStepFailure family are survivable.
     try
       {
         for (const auto &contact : contacts_)
           contact->start_step(u_);
-        Vector<double> x(system_.n_free());
+        Vector<double> x;
         bool           started = false;
         if (has_previous_)
           {
-            extrapolate(x);
+            step.extrapolate(u_previous_,
+                             (load_factor - load_factor_) /
+                               (load_factor_ - load_factor_previous_),
+                             x);
             try
               {
                 Vector<double> r;
-                residual(x, r);
+                step.evaluate(x, r);
                 started = true;
               }
             catch (const LoadStepFailure &)
@@ -370,18 +329,13 @@ namespace NPT
               }
           }
         if (!started)
-          follow_tangent(x);
+          step.follow_tangent(x);
 
-        NewtonProblem problem;
-        problem.residual        = residual;
-        problem.prepare_tangent = prepare_tangent;
-        problem.solve           = solve;
-        problem.force_scale     = [&]() { return force_scale_; };
         std::vector<ContactAssembler<3> *> contacts;
         for (const auto &contact : contacts_)
           contacts.push_back(contact.get());
         report_ = solve_contact_step(
-          parameters_.newton, parameters_.contact, problem, contacts, x);
+          parameters_.newton, parameters_.contact, step.problem(), contacts, x);
         if (parameters_.stability.check_ellipticity)
           {
             TimerOutput::Scope timer(timer_, "Ellipticity");
@@ -510,14 +464,15 @@ namespace NPT
 
   // -------------------------------------------------------------- assembly
 
-  void
+  double
   NumericalPlateTest::assemble_residual(const Vector<double> &u,
                                         Vector<double>       &residual)
   {
     residual.reinit(macro_.n_unknowns());
+    double force_scale = 0;
     {
       TimerOutput::Scope timer(timer_, "Residual: bundles");
-      force_scale_ = bodies_->add_residual(u, residual);
+      force_scale = bodies_->add_residual(u, residual);
     }
     {
       TimerOutput::Scope timer(timer_, "Residual: contact");
@@ -530,7 +485,7 @@ namespace NPT
       residual += force;
       // Convergence is measured against the forces before they cancel: those
       // of the cells on their control points, and of contact.
-      force_scale_ = std::sqrt(force_scale_ * force_scale_ + force.norm_sqr());
+      force_scale = std::sqrt(force_scale * force_scale + force.norm_sqr());
     }
     for (unsigned int k = 0; k < foundation_.size(); ++k)
       residual[k] += foundation_share_ * foundation_[k] * u[k];
@@ -538,6 +493,7 @@ namespace NPT
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       if (resultant_controlled_[n])
         residual[macro_.mode(n)] -= applied_[n] * cell_->area();
+    return force_scale;
   }
 
 

@@ -6,6 +6,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/iga/iga_surface.h>
 #include <npt_dealii/iga/iga_values.h>
+#include <npt_dealii/solver/condensed_problem.h>
 #include <npt_dealii/top/benchmark_bodies.h>
 #include <npt_dealii/top/solid_benchmark.h>
 
@@ -436,77 +437,46 @@ namespace NPT
   unsigned int
   SolidBenchmark::solve_load_steps(const std::string &name)
   {
-    Vector<double> m(target_.size()), m_accepted(target_.size());
-    Vector<double> u_trial(body_->n_displacements());
-    Vector<double> residual_full, residual_m;
-    double         force_scale = 0;
-
-    NewtonProblem problem;
-    problem.residual = [&](const Vector<double> &x, Vector<double> &r) {
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        m[system_.free_unknown(k)] = x[k];
-      system_.expand(m, u_trial);
-      residual_full.reinit(body_->n_displacements());
-      force_scale = body_->add_residual(u_trial, residual_full);
-      system_.condense(residual_full, residual_m);
-      r.reinit(system_.n_free());
-      for (unsigned int k = 0; k < system_.n_free(); ++k)
-        r[k] = residual_m[system_.free_unknown(k)];
+    Vector<double> u_trial, residual;
+    const auto     assemble_residual = [&](const Vector<double> &u,
+                                       Vector<double>       &r) {
+      r.reinit(u.size());
+      return body_->add_residual(u, r);
     };
-    problem.prepare_tangent = [&](const Vector<double> &) {
+    const auto assemble_tangent = [&](const Vector<double> &u) {
       system_.set_zero();
-      body_->add_tangent(u_trial, system_);
-      if (system_.n_free() > 0)
-        linear_solver_.factorize(system_.free_matrix());
+      body_->add_tangent(u, system_);
     };
-    problem.solve = [&](const Vector<double> &rhs, Vector<double> &dx) {
-      linear_solver_.solve(rhs, dx);
-    };
-    problem.force_scale = [&]() { return force_scale; };
-
-    // The first step follows the tangent at the natural state, K_ff dx = -K_fp
-    // dm; later ones scale the last state in proportion to the load factor.
-    const auto predict =
-      [&](const double before, const double trial, Vector<double> &x) {
-        m = m_accepted;
-        for (unsigned int k = 0; k < system_.n_free(); ++k)
-          x[k] = m[system_.free_unknown(k)];
-        if (before > 0.)
-          {
-            x *= trial / before;
-            return;
-          }
-        Vector<double> r, step(target_), K_step, rhs(x.size()), dx;
-        problem.residual(x, r);
-        problem.prepare_tangent(x);
-        step *= trial;
-        for (unsigned int k = 0; k < system_.n_free(); ++k)
-          step[system_.free_unknown(k)] = 0.;
-        system_.matrix().vmult(K_step, step);
-        for (unsigned int k = 0; k < system_.n_free(); ++k)
-          rhs[k] = -K_step[system_.free_unknown(k)];
-        problem.solve(rhs, dx);
-        x += dx;
-      };
 
     u_.reinit(body_->n_displacements());
-    unsigned int n_iterations = 0;
-    StepControl  control(parameters_.steps, name);
+    const Vector<double> natural_state(u_);
+    unsigned int         n_iterations = 0;
+    StepControl          control(parameters_.steps, name);
     while (!control.finished())
       {
         const double   trial = control.trial(), before = control.load_factor();
-        Vector<double> x(system_.n_free());
-        if (system_.n_free() > 0)
-          predict(before, trial, x);
-        // What is not free is on its target.
-        m.equ(trial, target_);
+        Vector<double> target(target_);
+        target *= trial;
+        CondensedProblem step(system_,
+                              linear_solver_,
+                              {assemble_residual, assemble_tangent},
+                              u_,
+                              target,
+                              u_trial,
+                              residual);
         try
           {
+            // The first step follows the tangent at the natural state; later
+            // ones scale the last state in proportion to the load factor.
+            Vector<double> x;
+            if (before > 0.)
+              step.extrapolate(natural_state, (trial - before) / before, x);
+            else
+              step.follow_tangent(x);
             const NewtonReport report =
-              solve_newton(parameters_.newton, problem, x);
+              solve_newton(parameters_.newton, step.problem(), x);
             n_iterations += report.iterations;
-            m_accepted = m;
-            u_         = u_trial;
+            u_ = u_trial;
             control.accept(report.iterations);
           }
         catch (const LoadStepFailure &failure)

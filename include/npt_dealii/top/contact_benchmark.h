@@ -118,7 +118,7 @@ namespace NPT
     solve_load_step(const double load_factor);
     void
     accept_load_step(const ContactStage &stage, const double load_factor);
-    void
+    double
     assemble_residual(const dealii::Vector<double> &u,
                       dealii::Vector<double>       &residual);
     void
@@ -181,7 +181,6 @@ namespace NPT
     CondensedSystem                      system_;
     std::unique_ptr<LinearSolver>        linear_solver_;
     bool                                 pattern_is_current_ = false;
-    double                               force_scale_        = 0;
 
     // Handles: how they are driven in this stage.
     struct HandleState

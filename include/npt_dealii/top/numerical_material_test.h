@@ -126,8 +126,6 @@ namespace NPT
     write_row(const MaterialTestRow &row);
 
     void
-    assemble_residual(const dealii::Vector<double> &u);
-    void
     assemble_tangent(const dealii::Vector<double> &u);
     void
     compute_averages(MaterialTestRow &row) const;
@@ -146,7 +144,6 @@ namespace NPT
 
     CondensedSystem               system_;
     std::unique_ptr<LinearSolver> linear_solver_;
-    double                        force_scale_ = 0;
 
     // The accepted state of the present test and the one before.
     dealii::Vector<double> u_, u_previous_;

@@ -101,8 +101,9 @@ namespace NPT
     void
     record_woven_positions();
 
-    /// Residual of the full system at u: bundles, contact.
-    void
+    /// Residual of the full system at u: bundles, contact. Returns the forces
+    /// before they cancel [N].
+    double
     assemble_residual(const dealii::Vector<double> &u,
                       dealii::Vector<double>       &residual);
     /// Tangent of the state last seen by assemble_residual().
@@ -155,7 +156,6 @@ namespace NPT
     std::unique_ptr<LinearSolver> linear_solver_;
     bool                          pattern_is_current_ = false;
     bool                          friction_was_on_    = false;
-    double                        force_scale_        = 0;
 
     // The accepted state, and the one before for extrapolation.
     dealii::Vector<double> u_;          // full
