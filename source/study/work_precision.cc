@@ -416,8 +416,17 @@ namespace NPT
     std::size_t longest = 0;
     for (const std::string &name : series)
       longest = std::max(longest, name.size());
-    const unsigned int n_columns = std::min<std::size_t>(groups.size(), 2),
-                       n_rows    = (groups.size() + n_columns - 1) / n_columns;
+    // With several panels one legend in a place of its own, behind the last.
+    const bool         own_legend = groups.size() > 1;
+    const unsigned int n_places   = groups.size() + (own_legend ? 1 : 0),
+                       n_columns  = std::min(n_places, 2u),
+                       n_rows     = (n_places + n_columns - 1) / n_columns;
+    const std::string front_style =
+      "lines linecolor rgb '#444444' linewidth 1 title 'Pareto front'";
+    const auto series_style = [&](const unsigned int s) {
+      return "points " + study_line_style(s) + " pointsize 0.9 title " +
+             gnuplot_text(series[s].empty() ? "cases" : series[s]);
+    };
     return draw_picture(
       directory,
       "work_precision",
@@ -425,12 +434,15 @@ namespace NPT
       n_rows,
       n_columns,
       n_columns == 1 ? 760 : 620,
-      420 + 18 * static_cast<unsigned int>(series.size()),
+      420 + (own_legend ? 0 : 18 * static_cast<unsigned int>(series.size())),
       [&](std::ostream &out) {
         out << "  set logscale xy\n  set format '%g'\n"
             << "  set format y '10^{%T}'\n"
-            << "  set key below maxcols " << (longest > 30 ? 1 : 2)
-            << " reverse Left samplen 1 noenhanced font ',10'\n"
+            << (own_legend ? "  unset key\n" :
+                             "  set key below maxcols " +
+                               std::to_string(longest > 30 ? 1 : 2) +
+                               " reverse Left samplen 1 noenhanced font "
+                               "',10'\n")
             << "  set xlabel 'CPU time [s]'\n"
             << "  set ylabel 'relative L2 error [-]'\n";
         for (unsigned int g = 0; g < groups.size(); ++g)
@@ -483,17 +495,28 @@ namespace NPT
                     "linecolor rgb '#bb0000' dashtype 3");
             out << "  plot 'pareto_front.csv' using (column('group') == " << g
                 << " ? column('cpu_seconds') : NaN):(column('error')) with "
-                   "lines linecolor rgb '#444444' linewidth 1 title 'Pareto "
-                   "front'";
+                << front_style;
             for (unsigned int s = 0; s < series.size(); ++s)
               out << ", \\\n    'work_precision.csv' using (column('group') == "
                   << g << " && column('series') == " << s
                   << " ? column('cpu_seconds') : NaN):(column('error')) with "
-                     "points "
-                  << study_line_style(s) << " pointsize 0.9 title "
-                  << gnuplot_text(series[s].empty() ? "cases" : series[s]);
+                  << series_style(s);
             out << "\n";
           }
+        if (!own_legend)
+          return;
+        out << "  unset logscale\n  unset arrow\n  unset label\n"
+               "  unset title\n  unset border\n  unset tics\n"
+               "  unset xlabel\n  unset ylabel\n  unset grid\n"
+               "  set xrange [0:1]\n  set yrange [0:1]\n"
+               "  set key at graph 0, graph 0.95 left top reverse Left "
+               "maxcols 1 samplen 1 noenhanced font ',10'\n"
+               "  plot NaN with "
+            << front_style;
+        for (unsigned int s = 0; s < series.size(); ++s)
+          out << ", \\\n    NaN with " << series_style(s);
+        // The next terminal draws the same panels again.
+        out << "\n  set border 3\n  set tics nomirror out\n  set grid\n";
       });
   }
 } // namespace NPT

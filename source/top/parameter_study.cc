@@ -262,7 +262,7 @@ namespace NPT
           const Details &details = study.details[i];
           WorkPoint      point;
           point.group  = details.group;
-          point.series = describe_axes(loops, series, i);
+          point.series = describe_axes(loops, series, i, true);
           point.setting =
             describe_axes(loops, all_other_axes(study, of_bases), i);
           point.folder = cases[i].folder;
