@@ -3,8 +3,11 @@
 
 #include <npt_dealii/contact/contact_assembler.h>
 
-#include <algorithm>
+#include <deal.II/base/utilities.h>
+
+#include <array>
 #include <map>
+#include <vector>
 
 namespace NPT
 {

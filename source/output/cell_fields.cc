@@ -51,16 +51,43 @@ namespace NPT
       return bundle == nullptr ? nullptr : &bundle->fiber_direction();
     }
 
-    void
-    add(PointState &sum, const double factor, const PointState &more)
+    // Weighted sums of states; those without a fiber have no part in the sums
+    // of the fiber.
+    struct StateSum
     {
-      sum.stress += factor * more.stress;
-      sum.von_mises += factor * more.von_mises;
-      sum.volume_ratio += factor * more.volume_ratio;
-      sum.fiber += factor * more.fiber;
-      sum.stretch += factor * more.stretch;
-      sum.fiber_shear += factor * more.fiber_shear;
-    }
+      PointState sum    = {};
+      double     weight = 0, fiber_weight = 0;
+
+      void
+      add(const double factor, const PointState &state)
+      {
+        weight += factor;
+        sum.stress += factor * state.stress;
+        sum.von_mises += factor * state.von_mises;
+        sum.volume_ratio += factor * state.volume_ratio;
+        if (state.stretch == 0.)
+          return;
+        fiber_weight += factor;
+        sum.fiber += factor * state.fiber;
+        sum.stretch += factor * state.stretch;
+        sum.fiber_shear += factor * state.fiber_shear;
+      }
+
+      PointState
+      mean() const
+      {
+        PointState result = sum;
+        result.stress /= weight;
+        result.von_mises /= weight;
+        result.volume_ratio /= weight;
+        if (fiber_weight == 0.)
+          return result;
+        result.fiber /= fiber_weight;
+        result.stretch /= fiber_weight;
+        result.fiber_shear /= fiber_weight;
+        return result;
+      }
+    };
   } // namespace
 
 
@@ -95,9 +122,8 @@ namespace NPT
     const std::vector<CellGradients>                       &gradients,
     const Vector<double>                                   &u)
   {
-    std::vector<PointState> states(space.n_control_points(), PointState());
-    std::vector<double>     weight(space.n_control_points(), 0.);
-    std::vector<double>     w;
+    std::vector<StateSum> sums(space.n_control_points());
+    std::vector<double>   w;
     for (unsigned int c = 0; c < space.cells().size(); ++c)
       {
         const CellGradients &cell = gradients[c];
@@ -116,20 +142,14 @@ namespace NPT
             const PointState state =
               point_state(*laws[space.cells()[c].patch], F);
             for (unsigned int a = 0; a < A.size(); ++a)
-              {
-                const double share =
-                  cell.values[q * cell.n_functions + a] * cell.jxw[q];
-                weight[A[a]] += share;
-                add(states[A[a]], share, state);
-              }
+              sums[A[a]].add(cell.values[q * cell.n_functions + a] *
+                               cell.jxw[q],
+                             state);
           }
       }
-    for (unsigned int A = 0; A < states.size(); ++A)
-      {
-        PointState mean = {};
-        add(mean, 1. / weight[A], states[A]);
-        states[A] = mean;
-      }
+    std::vector<PointState> states;
+    for (const StateSum &sum : sums)
+      states.push_back(sum.mean());
     return states;
   }
 

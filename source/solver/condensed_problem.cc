@@ -4,6 +4,7 @@
 #include <npt_dealii/solver/condensed_problem.h>
 
 #include <optional>
+#include <utility>
 
 namespace NPT
 {
@@ -29,7 +30,6 @@ namespace NPT
     AssertDimension(m_target.size(), system.n_independent());
     system.restrict_to_independent(u_accepted, m_accepted_);
     m_ = m_target;
-    u_.reinit(u_accepted.size());
   }
 
 
@@ -49,7 +49,16 @@ namespace NPT
   {
     for (unsigned int k = 0; k < system_.n_free(); ++k)
       m_[system_.free_unknown(k)] = x[k];
-    system_.expand(m_, u_);
+    evaluate_independent(m_, r);
+  }
+
+
+
+  void
+  CondensedProblem::evaluate_independent(const Vector<double> &m,
+                                         Vector<double>       &r)
+  {
+    system_.expand(m, u_);
     force_scale_ = full_system_.residual(u_, residual_);
     system_.condense(residual_, condensed_);
     pick_free(condensed_, r);
@@ -61,8 +70,6 @@ namespace NPT
   CondensedProblem::prepare_tangent()
   {
     full_system_.tangent(u_);
-    if (system_.n_free() == 0)
-      return; // all is prescribed
     std::optional<TimerOutput::Scope> scope;
     if (timer_ != nullptr)
       scope.emplace(*timer_, "Factorize");
@@ -77,9 +84,6 @@ namespace NPT
     std::optional<TimerOutput::Scope> scope;
     if (timer_ != nullptr)
       scope.emplace(*timer_, "Solve");
-    dx.reinit(rhs.size());
-    if (rhs.size() == 0)
-      return;
     linear_solver_.solve(rhs, dx);
   }
 
@@ -124,10 +128,11 @@ namespace NPT
   void
   CondensedProblem::follow_tangent(Vector<double> &x)
   {
-    Vector<double> x_accepted, r, K_increment, rhs(system_.n_free());
-    m_ = m_accepted_;
-    pick_free(m_accepted_, x_accepted);
-    evaluate(x_accepted, r);
+    pick_free(m_accepted_, x);
+    if (system_.n_free() == 0)
+      return;
+    Vector<double> r, K_increment, rhs(system_.n_free()), dx;
+    evaluate_independent(m_accepted_, r);
     prepare_tangent();
 
     Vector<double> increment(m_target_);
@@ -137,8 +142,7 @@ namespace NPT
     system_.matrix().vmult(K_increment, increment);
     for (unsigned int k = 0; k < system_.n_free(); ++k)
       rhs[k] = -r[k] - K_increment[system_.free_unknown(k)];
-    solve(rhs, x);
-    x += x_accepted;
-    m_ = m_target_;
+    solve(rhs, dx);
+    x += dx;
   }
 } // namespace NPT

@@ -137,11 +137,12 @@ namespace NPT
       ++report.n_residuals;
       problem.residual(at, r);
       report.force_scale = problem.force_scale();
-      // In debug mode l2_norm() aborts on what a trial may well produce.
+      // In debug mode l2_norm() aborts on what a trial may well produce, and on
+      // a system without unknowns.
       double sum = 0;
       for (const double component : r)
         sum += std::abs(component);
-      return std::isfinite(sum) ? r.l2_norm() : sum;
+      return std::isfinite(sum) && r.size() > 0 ? r.l2_norm() : sum;
     };
     const auto fail = [&](const std::string &reason, const std::string &why) {
       std::ostringstream detail;

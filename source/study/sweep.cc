@@ -305,6 +305,20 @@ namespace NPT
                result.cpu_seconds + 1 >= options.cpu_limit;
       return result.status != "crashed";
     }
+
+    bool
+    has_worthy_result(const fs::path &folder, const SweepOptions &options)
+    {
+      try
+        {
+          return is_worth_keeping(
+            read_run_summary((folder / "result.csv").string()), options);
+        }
+      catch (const InputError &)
+        {
+          return false; // no result yet
+        }
+    }
   } // namespace
 
 
@@ -349,17 +363,27 @@ namespace NPT
         std::map<std::string, std::string> folder_of; // parameters -> folder
         unsigned int                       last_number = 0;
         fs::create_directories(study / "cases");
+        std::set<std::string> names;
         for (const auto &entry : fs::directory_iterator(study / "cases"))
+          names.insert(entry.path().filename().string());
+        for (const std::string &name : names)
           {
-            const std::string name = entry.path().filename().string();
+            const fs::path folder = study / "cases" / name;
+            fs::remove(folder / "claim"); // of an interrupted study
             last_number =
               std::max<unsigned int>(last_number,
                                      std::strtoul(name.c_str(), nullptr, 10));
-            if (fs::exists(entry.path() / "case.prm"))
-              folder_of.emplace(without_comments(
-                                  read_text(entry.path() / "case.prm")),
-                                "cases/" + name);
-            fs::remove(entry.path() / "claim"); // of an interrupted study
+            if (!fs::exists(folder / "case.prm"))
+              continue;
+            // Of several folders with the same parameters the first with a
+            // result.
+            const auto known = folder_of.emplace(without_comments(read_text(
+                                                   folder / "case.prm")),
+                                                 "cases/" + name);
+            if (!known.second &&
+                !has_worthy_result(study / known.first->second, options) &&
+                has_worthy_result(folder, options))
+              known.first->second = "cases/" + name;
           }
         std::set<std::string> seen;
         for (SweepCase &c : cases)
@@ -379,19 +403,7 @@ namespace NPT
             folders.push_back(folder);
             if (!seen.insert(folder).second)
               continue;
-            bool keep = false;
-            try
-              {
-                keep =
-                  is_worth_keeping(read_run_summary(
-                                     (study / folder / "result.csv").string()),
-                                   options);
-              }
-            catch (const InputError &)
-              {
-                // No result yet.
-              }
-            if (!keep)
+            if (!has_worthy_result(study / folder, options))
               {
                 clean_folder(study / folder);
                 to_run.push_back(folder);

@@ -467,6 +467,8 @@ namespace NPT
             if (cpu[0] < cpu[1])
               out << "  set xrange [" << 0.8 * cpu[0] << ":" << 1.25 * cpu[1]
                   << "]\n";
+            else
+              out << "  set xrange [*:*]\n";
             out << "  set yrange [" << 0.6 * errors[0] << ":" << 1.6 * errors[1]
                 << "]\n";
 
@@ -516,7 +518,8 @@ namespace NPT
         for (unsigned int s = 0; s < series.size(); ++s)
           out << ", \\\n    NaN with " << series_style(s);
         // The next terminal draws the same panels again.
-        out << "\n  set border 3\n  set tics nomirror out\n  set grid\n";
+        out
+          << "\n  set border 3\n  set tics\n  set tics nomirror out\n  set grid\n";
       });
   }
 } // namespace NPT

@@ -5,7 +5,6 @@
 #include <npt_dealii/material/neo_hookean.h>
 #include <npt_dealii/output/cell_fields.h>
 
-#include <deal.II/physics/elasticity/standard_tensors.h>
 #include <deal.II/physics/transformations.h>
 
 #include <catch2/catch.hpp>
@@ -73,7 +72,7 @@ TEST_CASE("Fiber stretch and shear are those of a homogeneous state, however "
 
 
 
-TEST_CASE("A law without a fiber has no fiber fields", "[output]")
+TEST_CASE("The fiber of a law without one is zero", "[output]")
 {
   const auto state = point_state(NeoHookean<3>({3., 2.}), identity());
   CHECK(state.stretch == 0.);

@@ -175,3 +175,55 @@ TEST_CASE("Fields of an affine displacement are those of its gradient at every "
       }
   CHECK(n_seen == constant.size());
 }
+
+
+
+TEST_CASE("Bodies without fibers have no fiber fields, and where they join "
+          "others the means are those of the fibers",
+          "[top]")
+{
+  // Two blocks of one body, the second without a fiber.
+  const auto make = [](const MaterialParameters::Law first) {
+    std::vector<DeformablePart> parts;
+    for (const auto law : {first, MaterialParameters::Law::neo_hookean})
+      {
+        MaterialParameters material;
+        material.law        = law;
+        NURBSPatch<3> block = unit_block();
+        refine(block, 2, {{1, 1, 1}});
+        auto points = block.control_points();
+        for (Point<3> &X : points)
+          X[0] += parts.size();
+        parts.push_back({NURBSPatch<3>(block.knot_vectors(), points),
+                         make_material<3>(material, Point<3>::unit_vector(2)),
+                         0,
+                         "a block"});
+      }
+    return DeformableBodies(std::move(parts), Basis::NURBS);
+  };
+  const auto fields = [](const DeformableBodies &bodies) {
+    Vector<double> u(bodies.n_displacements());
+    for (unsigned int A = 0; A < bodies.space().n_control_points(); ++A)
+      u[3 * A + 2] = 0.1 * bodies.space().control_points()[A][2];
+    return make_bundle_fields(bodies.space(),
+                              bodies.laws(),
+                              bodies.gradients(),
+                              u);
+  };
+
+  for (const auto &field :
+       fields(make(MaterialParameters::Law::neo_hookean)).point_data)
+    CHECK(field.name.rfind("fiber", 0) == std::string::npos);
+
+  double largest = 0, smallest = 2;
+  for (const auto &field :
+       fields(make(MaterialParameters::Law::fiber_bundle)).point_data)
+    if (field.name == "fiber_stretch")
+      for (unsigned int i = 0; i < 27; ++i) // the first block
+        {
+          largest  = std::max(largest, field.values[i]);
+          smallest = std::min(smallest, field.values[i]);
+        }
+  CHECK(largest == Approx(1.1).epsilon(1e-12));
+  CHECK(smallest == Approx(1.1).epsilon(1e-12));
+}

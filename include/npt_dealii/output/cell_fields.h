@@ -6,6 +6,7 @@
 
 #include <npt_dealii/contact/contact_assembler.h>
 #include <npt_dealii/iga/iga_space.h>
+#include <npt_dealii/material/hyperelastic_law.h>
 #include <npt_dealii/material/solid_kernel.h>
 #include <npt_dealii/output/field_writer.h>
 
@@ -18,8 +19,8 @@
 namespace NPT
 {
   /**
-   * What is known at a point of the bundles, with A the fiber direction of its
-   * law, otherwise zero from the fiber on.
+   * What is known at a point of a body. A is the unit fiber direction of the
+   * law; for a law without a fiber, fiber, stretch and fiber_shear are zero.
    */
   struct PointState
   {
@@ -47,7 +48,8 @@ namespace NPT
    *
    * @f[ s_A = \int R_A s \, dV \Big/ \int R_A \, dV . @f]
    *
-   * A mean of unit vectors is shorter than one where they turn.
+   * Means of the fiber are over the points that have one. A mean of unit
+   * vectors is shorter than one where they turn.
    */
   std::vector<PointState>
   states_at_control_points(

@@ -10,6 +10,9 @@
 #include <npt_dealii/solver/newton.h>
 
 #include <deal.II/base/timer.h>
+#include <deal.II/lac/vector.h>
+
+#include <functional>
 
 namespace NPT
 {
@@ -42,8 +45,8 @@ namespace NPT
      * @param u_accepted The state at the start of the step.
      * @param m_target Prescribed entries: the end of the step. Free ones are
      *   ignored.
-     * @param u, residual The state last seen by Newton's method and its full
-     *   residual, for the caller.
+     * @param u, residual Filled by every evaluation with the state and its
+     *   full residual, for the caller; u must not be u_accepted itself.
      * @param timer Sections "Factorize" and "Solve", if given.
      */
     CondensedProblem(CondensedSystem              &system,
@@ -73,6 +76,8 @@ namespace NPT
      * residual and by the increments of the prescribed unknowns,
      *
      * @f[ K_{ff} (x - x_{accepted}) = - r - K_{fp} \Delta m_p. @f]
+     *
+     * Evaluates the accepted state, not x.
      */
     void
     follow_tangent(dealii::Vector<double> &x);
@@ -84,6 +89,9 @@ namespace NPT
   private:
     void
     pick_free(const dealii::Vector<double> &m, dealii::Vector<double> &x) const;
+    void
+    evaluate_independent(const dealii::Vector<double> &m,
+                         dealii::Vector<double>       &r);
     void
     prepare_tangent();
     void

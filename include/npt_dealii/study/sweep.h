@@ -22,7 +22,7 @@ namespace NPT
     std::vector<std::pair<std::string, std::string>> values;
 
     /// The complete, documented parameter file with all defaults. Two cases
-    /// with the same text are one run.
+    /// whose texts differ in comments and blank lines only are one run.
     std::string parameters;
 
     /// Folder of the run within the study's, "cases/0001"; set by run_cases().
@@ -64,7 +64,7 @@ namespace NPT
    * Every case has a folder `cases/0001`, ... with `case.prm`, its parameters;
    * `screen.txt` and `error.txt`, what the program said; the files of the run;
    * and, written last, `result.csv`. A case counts as finished if some folder
-   * has exactly its parameters and a result that is worth keeping: "done",
+   * has its parameters, comments apart, and a result worth keeping: "done",
    * "failed" (a stage was given up) or "refused", and "time limit" unless more
    * time is allowed now. So an interrupted study goes on where it was, a study
    * with more values runs the new cases only, and whatever is changed in the

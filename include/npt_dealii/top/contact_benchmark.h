@@ -118,6 +118,7 @@ namespace NPT
     solve_load_step(const double load_factor);
     void
     accept_load_step(const ContactStage &stage, const double load_factor);
+    /// Returns the forces before they cancel [N].
     double
     assemble_residual(const dealii::Vector<double> &u,
                       dealii::Vector<double>       &residual);
