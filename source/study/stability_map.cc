@@ -169,19 +169,42 @@ namespace NPT
              " ? column('x') : NaN)";
     };
 
-    std::string warning = draw_picture(
+    const unsigned int n_legend_columns = std::max(1u, n_columns * width / 190),
+                       n_legend_rows =
+                         (outcomes.size() + n_legend_columns - 1) /
+                         n_legend_columns;
+    constexpr unsigned int legend_row   = 20; // pixels
+    const unsigned int     panel_height = height + legend_row * n_legend_rows;
+    std::string            warning      = draw_picture(
       directory,
       "map_outcome",
       title,
       n_rows,
       n_columns,
       width,
-      height + 18 * ((outcomes.size() + 1) / 2),
+      panel_height,
       [&](std::ostream &out) {
         write_axes(out, x_axis, y_axis);
-        out << "  set key below maxcols 2 reverse Left samplen 1 noenhanced\n";
+        // One legend under all panels, drawn with the last.
+        out << "  set bmargin " << 4 + n_legend_rows << "\n  unset key\n";
         for (unsigned int p = 0; p < panels.size(); ++p)
           {
+            if (p + 1 == panels.size())
+              for (unsigned int o = 0; o < outcomes.size(); ++o)
+                {
+                  const double x = (o % n_legend_columns + 0.1) /
+                                   n_legend_columns,
+                               y =
+                                 (n_legend_rows - o / n_legend_columns - 0.4) *
+                                 legend_row / (n_rows * panel_height + 30.);
+                  out << "  set object rectangle center screen " << x
+                      << ", screen " << y
+                      << " size screen 0.012, screen 0.016 fillstyle solid "
+                                         "noborder fillcolor rgb '"
+                      << outcome_color(o) << "'\n  set label "
+                      << gnuplot_text(outcomes[o]) << " at screen " << x + 0.012
+                      << ", screen " << y << " noenhanced\n";
+                }
             out << "  set title " << gnuplot_text(panels[p]) << " noenhanced\n"
                 << "  plot ";
             for (unsigned int o = 0; o < outcomes.size(); ++o)
@@ -189,13 +212,13 @@ namespace NPT
                   << " && column('color') == " << o
                   << " ? column('x') : NaN):(column('y'))" << box
                   << " with boxxyerror linecolor rgb '" << outcome_color(o)
-                  << "' notitle, \\\n    NaN with boxes linecolor rgb '"
-                  << outcome_color(o) << "' title " << gnuplot_text(outcomes[o])
-                  << ", \\\n    ";
+                  << "' notitle, \\\n    ";
             out << "'map.csv' using " << in_panel(p)
                 << ":(column('y')):(strcol('text')) with labels font ',9' "
-                   "noenhanced notitle\n";
+                                   "noenhanced notitle\n";
           }
+        // The next terminal draws the same panels again.
+        out << "  unset object\n  unset label\n";
       });
 
     const auto draw_numbers = [&](const std::string &name,
