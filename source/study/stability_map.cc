@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <ostream>
 
 namespace NPT
@@ -28,19 +29,24 @@ namespace NPT
 
     // Success is blue, failures have the warm colors.
     std::string
-    outcome_color(const unsigned int i)
+    outcome_color(const std::string &name)
     {
-      static const std::vector<std::string> colors = {"#9ecae1",
-                                                      "#3182bd",
-                                                      "#fdae6b",
-                                                      "#d55e00",
-                                                      "#cc79a7",
-                                                      "#a50f15",
-                                                      "#f0e442",
-                                                      "#8c6d31",
-                                                      "#636363",
-                                                      "#000000"};
-      return colors[std::min<std::size_t>(i, colors.size() - 1)];
+      // Reasons have the same color in all maps.
+      static const std::map<std::string, std::string> colors = {
+        {done, "#9ecae1"},
+        {done_cuts, "#3182bd"},
+        {"iteration limit", "#fdae6b"},
+        {"line search failed", "#d55e00"},
+        {"loss of ellipticity", "#cc79a7"},
+        {"active set cycling", "#f0e442"},
+        {"inverted cell", "#a50f15"},
+        {"projection lost", "#8c6d31"},
+        {"augmentation limit", "#74c476"},
+        {"diverged", "#7570b3"},
+        {"stagnated", "#e6ab02"},
+        {"time limit", "#636363"}};
+      const auto known = colors.find(name);
+      return known == colors.end() ? "#000000" : known->second;
     }
 
     std::string
@@ -201,7 +207,7 @@ namespace NPT
                       << ", screen " << y
                       << " size screen 0.012, screen 0.016 fillstyle solid "
                                          "noborder fillcolor rgb '"
-                      << outcome_color(o) << "'\n  set label "
+                      << outcome_color(outcomes[o]) << "'\n  set label "
                       << gnuplot_text(outcomes[o]) << " at screen " << x + 0.012
                       << ", screen " << y << " noenhanced\n";
                 }
@@ -211,8 +217,8 @@ namespace NPT
               out << "'map.csv' using (column('panel') == " << p
                   << " && column('color') == " << o
                   << " ? column('x') : NaN):(column('y'))" << box
-                  << " with boxxyerror linecolor rgb '" << outcome_color(o)
-                  << "' notitle, \\\n    ";
+                  << " with boxxyerror linecolor rgb '"
+                  << outcome_color(outcomes[o]) << "' notitle, \\\n    ";
             out << "'map.csv' using " << in_panel(p)
                 << ":(column('y')):(strcol('text')) with labels font ',9' "
                                    "noenhanced notitle\n";
