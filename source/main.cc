@@ -92,22 +92,9 @@ namespace
 
 
 
-  int
-  run(int argc, char **argv)
+  void
+  run(const CommandLine &command)
   {
-    const CommandLine command = parse_command_line(argc, argv);
-    switch (command.action)
-      {
-        case CommandLine::Action::help:
-          std::cout << help_text();
-          return 0;
-        case CommandLine::Action::version:
-          std::cout << version_text();
-          return 0;
-        default:
-          break;
-      }
-
     // Which problem it is decides which entries there are.
     const ParameterText text = command.parameter_file.empty() ?
                                  ParameterText() :
@@ -125,7 +112,7 @@ namespace
         const auto parameters =
           MaterialTestParameters::read(text, command.overrides);
         if (done_with_parameters(command, parameters))
-          return 0;
+          return;
         NumericalMaterialTest test(
           parameters,
           make_output_directory(command, parameters.output.directory),
@@ -137,7 +124,7 @@ namespace
         const auto parameters =
           ContactBenchmarkParameters::read(text, command.overrides);
         if (done_with_parameters(command, parameters))
-          return 0;
+          return;
         ContactBenchmark benchmark(
           parameters,
           make_output_directory(command, parameters.output.directory),
@@ -149,7 +136,7 @@ namespace
         const auto parameters =
           IdentificationRunParameters::read(text, command.overrides);
         if (done_with_parameters(command, parameters))
-          return 0;
+          return;
         run_identification(parameters,
                            make_output_directory(command,
                                                  parameters.output.directory),
@@ -159,7 +146,7 @@ namespace
       {
         const auto parameters = Parameters::read(text, command.overrides);
         if (done_with_parameters(command, parameters))
-          return 0;
+          return;
         const std::string directory =
           make_output_directory(command, parameters.output.directory);
         if (command.action == CommandLine::Action::geometry)
@@ -173,7 +160,7 @@ namespace
         if (command.action == CommandLine::Action::validate)
           std::cout << parameters.cases.size() << " cases: ";
         if (done_with_parameters(command, parameters))
-          return 0;
+          return;
         run_parameter_study(parameters,
                             make_output_directory(command,
                                                   parameters.directory),
@@ -184,7 +171,7 @@ namespace
         const auto parameters =
           SolidBenchmarkParameters::read(text, command.overrides);
         if (done_with_parameters(command, parameters))
-          return 0;
+          return;
         SolidBenchmark benchmark(parameters,
                                  make_output_directory(command,
                                                        parameters.directory),
@@ -202,23 +189,38 @@ namespace
         throw InputError("Problem is '" + problem + "'; it must be " + names +
                          did_you_mean(problem, problem_names()));
       }
-    return 0;
   }
 } // namespace
 
 int
 main(int argc, char **argv)
 {
-  NPT::select_blas_kernels(argv);
-
-  // One process per run: Trilinos' solvers only need MPI to be there. Threads
-  // are not used; the linear algebra of these sizes gains nothing by them.
-  int    mpi_argc = 1;
-  char **mpi_argv = argv;
   try
     {
+      const NPT::CommandLine command = NPT::parse_command_line(argc, argv);
+      switch (command.action)
+        {
+          case NPT::CommandLine::Action::help:
+            std::cout << NPT::help_text();
+            return 0;
+          case NPT::CommandLine::Action::version:
+            std::cout << NPT::version_text();
+            return 0;
+          case NPT::CommandLine::Action::run:
+            NPT::select_blas_kernels(argv);
+            break;
+          default: // reads parameters only
+            break;
+        }
+
+      // One process per run: Trilinos' solvers only need MPI to be there.
+      // Threads are not used; the linear algebra of these sizes gains nothing
+      // by them.
+      int                                      mpi_argc = 1;
+      char                                   **mpi_argv = argv;
       dealii::Utilities::MPI::MPI_InitFinalize mpi(mpi_argc, mpi_argv, 1);
-      return run(argc, argv);
+      run(command);
+      return 0;
     }
   catch (const NPT::InputError &error)
     {

@@ -16,7 +16,7 @@ namespace NPT
    * and nothing was chosen by the user (OPENBLAS_CORETYPE), this function sets
    * the kernels that the processor can run and starts the program anew, which
    * is the only way before OpenBLAS is loaded. It returns if there is nothing
-   * to gain. Call it first in main(), before MPI is initialized.
+   * to gain. Call it before MPI is initialized.
    *
    * @param argv Arguments of the program, passed on.
    */
