@@ -63,6 +63,15 @@ namespace
               }};
     }
 
+    CondensedProblem
+    problem(const Vector<double> &accepted,
+            const Vector<double> &target,
+            Vector<double>       &u,
+            Vector<double>       &residual)
+    {
+      return {system, solver, equations(), accepted, target, u, residual};
+    }
+
     Vector<double>
     target(const double end) const
     {
@@ -86,13 +95,7 @@ TEST_CASE("Newton's method satisfies the full equations in every admissible "
   Chain                chain(2.);
   const Vector<double> accepted(5), target = chain.target(1.);
   Vector<double>       u, residual, x;
-  CondensedProblem     step(chain.system,
-                        chain.solver,
-                        chain.equations(),
-                        accepted,
-                        target,
-                        u,
-                        residual);
+  auto                 step = chain.problem(accepted, target, u, residual);
   step.follow_tangent(x);
   CHECK(solve_newton(NewtonParameters(), step.problem(), x).converged);
   CHECK(u[0] == 0.);
@@ -115,13 +118,7 @@ TEST_CASE("Following the tangent solves linear equations, whatever the free "
   accepted[1]                               = 0.3; // no equilibrium
   accepted[3]                               = 0.3;
   target[chain.system.independent_index(1)] = 17.;
-  CondensedProblem step(chain.system,
-                        chain.solver,
-                        chain.equations(),
-                        accepted,
-                        target,
-                        u,
-                        residual);
+  auto step = chain.problem(accepted, target, u, residual);
   step.follow_tangent(x);
   step.evaluate(x, r);
   CHECK(r.l2_norm() < 1e-13);
@@ -139,13 +136,7 @@ TEST_CASE("Extrapolation goes along the line through two states", "[solver]")
   previous[1]                 = 0.1;
   previous[2]                 = 0.3;
   const Vector<double> target = chain.target(1.);
-  CondensedProblem     step(chain.system,
-                        chain.solver,
-                        chain.equations(),
-                        accepted,
-                        target,
-                        u,
-                        residual);
+  auto                 step   = chain.problem(accepted, target, u, residual);
   step.extrapolate(previous, 2., x);
   step.evaluate(x, r);
   CHECK(u[1] == Approx(0.4));
@@ -163,13 +154,7 @@ TEST_CASE("A step without free unknowns is evaluated, not solved", "[solver]")
     std::vector<bool>(chain.system.n_independent(), true));
   const Vector<double> accepted(5), target = chain.target(1.);
   Vector<double>       u, residual, x;
-  CondensedProblem     step(chain.system,
-                        chain.solver,
-                        chain.equations(),
-                        accepted,
-                        target,
-                        u,
-                        residual);
+  auto                 step = chain.problem(accepted, target, u, residual);
   step.follow_tangent(x);
   CHECK(x.size() == 0);
   CHECK(solve_newton(NewtonParameters(), step.problem(), x).iterations == 0);
