@@ -212,16 +212,17 @@ namespace NPT
         }
       catch (const InputError &)
         {
-          // The run did not come to its end; the curve is complete up to its
-          // last accepted step.
+          // The run did not come to its end; the curve, if it got so far, is
+          // complete up to its last accepted step.
+          const fs::path curve = folder / "curves.csv";
           try
             {
-              summary =
-                summarize_curve(read_curves((folder / "curves.csv").string()));
+              if (fs::exists(curve))
+                summary = summarize_curve(read_curves(curve.string()));
             }
-          catch (const std::exception &)
+          catch (const InputError &)
             {
-              // Not even a curve: it ended before the first step.
+              // Damaged; how the process ended is said below.
             }
         }
       summary.cpu_seconds = cpu_seconds;

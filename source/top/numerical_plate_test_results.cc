@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <exception>
 #include <sstream>
 
 namespace NPT
@@ -180,34 +179,34 @@ namespace NPT
     if (directory_.empty())
       return;
     TimerOutput::Scope timer(timer_, "Output");
+    const IGASpace<3> &space = bodies_->space();
+    PictureState       state;
+    for (unsigned int A = 0; A < space.n_control_points(); ++A)
+      state.positions.push_back(
+        space.control_points()[A] +
+        Tensor<1, 3>({u_[3 * A], u_[3 * A + 1], u_[3 * A + 2]}));
+    for (const PointState &point : states_at_control_points(
+           space, bodies_->laws(), bodies_->gradients(), u_))
+      state.values.push_back(point.von_mises);
+    state.woven = woven_;
+    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+      state.H[n] = u_[macro_.mode(n)];
+
+    std::ostringstream title;
+    title << "Stage " << stage.name << ", load factor " << load_factor_;
+    for (const auto &[n, target] : stage.H_targets)
+      title << ", H" << n + 1 << " = " << state.H[n] << (n < 3 ? "" : " 1/mm");
+    for (const auto &[n, target] : stage.n_targets)
+      title << ", n" << n + 1 << " = " << applied_[n]
+            << (n < 3 ? " N/mm" : " N");
+    std::string name = "cell_" + stage.name;
+    for (char &c : name)
+      if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')
+        c = '_';
+
     // A picture is not worth a run, so even a full disk does not end it here.
     try
       {
-        const IGASpace<3> &space = bodies_->space();
-        PictureState       state;
-        for (unsigned int A = 0; A < space.n_control_points(); ++A)
-          state.positions.push_back(
-            space.control_points()[A] +
-            Tensor<1, 3>({u_[3 * A], u_[3 * A + 1], u_[3 * A + 2]}));
-        for (const PointState &point : states_at_control_points(
-               space, bodies_->laws(), bodies_->gradients(), u_))
-          state.values.push_back(point.von_mises);
-        state.woven = woven_;
-        for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
-          state.H[n] = u_[macro_.mode(n)];
-
-        std::ostringstream title;
-        title << "Stage " << stage.name << ", load factor " << load_factor_;
-        for (const auto &[n, target] : stage.H_targets)
-          title << ", H" << n + 1 << " = " << state.H[n]
-                << (n < 3 ? "" : " 1/mm");
-        for (const auto &[n, target] : stage.n_targets)
-          title << ", n" << n + 1 << " = " << applied_[n]
-                << (n < 3 ? " N/mm" : " N");
-        std::string name = "cell_" + stage.name;
-        for (char &c : name)
-          if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')
-            c = '_';
         write_cell_picture(directory_,
                            name,
                            title.str(),
@@ -215,7 +214,7 @@ namespace NPT
                            make_picture_surfaces(*cell_, space, state));
         cell_scripts_.push_back(name + ".gp");
       }
-    catch (const std::exception &failure)
+    catch (const dealii::ExceptionBase &failure) // of replace_file()
       {
         log_.warning(std::string("The cell is not drawn: ") + failure.what());
       }
