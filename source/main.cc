@@ -209,7 +209,7 @@ main(int argc, char **argv)
           case NPT::CommandLine::Action::run:
             NPT::select_blas_kernels(argv);
             break;
-          default: // reads parameters only
+          default: // solves nothing
             break;
         }
 
