@@ -2,18 +2,18 @@
 // The program: read the parameter file, build the problem, run it, report.
 // Exit status: 0 done, 1 the run ended early, 2 the input cannot be used.
 
-#include <npt_dealii/base/blas_kernels.h>
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
-#include <npt_dealii/output/run_summary.h>
-#include <npt_dealii/top/contact_benchmark.h>
-#include <npt_dealii/top/material_test_parameters.h>
-#include <npt_dealii/top/numerical_material_test.h>
-#include <npt_dealii/top/numerical_plate_test.h>
-#include <npt_dealii/top/parameter_study.h>
-#include <npt_dealii/top/parameters.h>
-#include <npt_dealii/top/solid_benchmark.h>
+#include <npt_dealii/linear_algebra/blas_kernels.h>
+#include <npt_dealii/problems/material_test/material_test_parameters.h>
+#include <npt_dealii/problems/material_test/numerical_material_testing.h>
+#include <npt_dealii/problems/parameter_study/parameter_study.h>
+#include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
+#include <npt_dealii/problems/plate_test/plate_test_parameters.h>
+#include <npt_dealii/problems/plate_test/run_summary.h>
+#include <npt_dealii/verification/contact/contact_benchmark.h>
+#include <npt_dealii/verification/solids/solid_benchmark.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -60,10 +60,11 @@ namespace
 
   // A plate test, and summary.csv that says how it ended.
   void
-  run_plate_test(const Parameters &parameters, const std::string &directory)
+  run_plate_test(const PlateTestParameters &parameters,
+                 const std::string         &directory)
   {
-    NumericalPlateTest test(parameters, directory, std::cout);
-    const auto         summarize = [&]() {
+    NumericalPlateTesting test(parameters, directory, std::cout);
+    const auto            summarize = [&]() {
       RunSummary summary = summarize_curve(test.curve());
       summary.status     = "done";
       summary.n_unknowns = test.n_unknowns();
@@ -113,7 +114,7 @@ namespace
           MaterialTestParameters::read(text, command.overrides);
         if (done_with_parameters(command, parameters))
           return;
-        NumericalMaterialTest test(
+        NumericalMaterialTesting test(
           parameters,
           make_output_directory(command, parameters.output.directory),
           std::cout);
@@ -144,13 +145,14 @@ namespace
       }
     else if (problem == "plate test")
       {
-        const auto parameters = Parameters::read(text, command.overrides);
+        const auto parameters =
+          PlateTestParameters::read(text, command.overrides);
         if (done_with_parameters(command, parameters))
           return;
         const std::string directory =
           make_output_directory(command, parameters.output.directory);
         if (command.action == CommandLine::Action::geometry)
-          NumericalPlateTest(parameters, directory, std::cout).preview();
+          NumericalPlateTesting(parameters, directory, std::cout).preview();
         else
           run_plate_test(parameters, directory);
       }

@@ -21,7 +21,7 @@ namespace NPT
     const ContactParameters                &contact,
     const FrictionParameters               &friction,
     const double                            maximum_penetration,
-    const Multiplicity                     &multiplicity)
+    const SymmetryWeight                   &symmetry_weight)
     : secondary_(secondary)
     , primaries_(primaries)
     , contact_(contact)
@@ -35,11 +35,12 @@ namespace NPT
   {
     const unsigned int n_nodes = averaging_.nodes().size();
     for (const auto &node : averaging_.nodes())
-      multiplicity_.push_back(
-        multiplicity ? multiplicity(contact.method == "mortar" ?
-                                      secondary.reference_position(node.label) :
-                                      points_[node.label].X) :
-                       1);
+      symmetry_weight_.push_back(
+        symmetry_weight ?
+          symmetry_weight(contact.method == "mortar" ?
+                            secondary.reference_position(node.label) :
+                            points_[node.label].X) :
+          1);
     history_.traction.assign(n_nodes, std::array<double, m>{});
     history_.multiplier.assign(n_nodes, 0.);
     traction_multiplier_ = history_.traction;
@@ -72,7 +73,7 @@ namespace NPT
 
   template <int dim>
   bool
-  ContactAssembler<dim>::usable(const unsigned int q) const
+  ContactAssembler<dim>::is_admissible(const unsigned int q) const
   {
     return closest_[q].gap > -maximum_penetration_;
   }
@@ -296,9 +297,10 @@ namespace NPT
       }
 
     // What do the laws answer?
-    const NormalLaw      normal_law{penalty_scale_ * contact_.normal_penalty};
-    const FrictionLaw<m> friction_law{friction_law_.coefficient,
-                                      penalty_scale_ * friction_law_.penalty};
+    const NormalLaw normal_law{penalty_scale_ * contact_.normal_penalty};
+    const CoulombFriction<m> friction_law{friction_law_.coefficient,
+                                          penalty_scale_ *
+                                            friction_law_.penalty};
     point_pressure_.assign(points_.size(), 0.);
     point_traction_.assign(points_.size(), std::array<double, m>{});
     point_loaded_.assign(points_.size(), false);
@@ -308,9 +310,9 @@ namespace NPT
         NodeState  &state = nodes_[I];
         state             = NodeState();
         for (const auto &entry : node.entries)
-          state.gap +=
-            entry.weight * (usable(entry.point) ? closest_[entry.point].gap :
-                                                  maximum_penetration_);
+          state.gap += entry.weight * (is_admissible(entry.point) ?
+                                         closest_[entry.point].gap :
+                                         maximum_penetration_);
         const auto answer = normal_law(state.gap, multiplier_[I]);
         state.active      = answer.active;
         state.pressure    = answer.pressure;
@@ -339,7 +341,7 @@ namespace NPT
             std::array<double, SymmetricIndices<m>::n_second> metric = {};
             for (const auto &entry : node.entries)
               {
-                if (!usable(entry.point))
+                if (!is_admissible(entry.point))
                   continue;
                 const ClosestPoint<dim> &c = closest_[entry.point];
                 for (int a = 0; a < m; ++a)
@@ -366,10 +368,10 @@ namespace NPT
             state.slipping = state.friction.slipping;
           }
 
-        const double W = multiplicity_[I] * node.area;
+        const double W = symmetry_weight_[I] * node.area;
         if (W > 0.)
           for (const auto &entry : node.entries)
-            if (usable(entry.point))
+            if (is_admissible(entry.point))
               {
                 point_loaded_[entry.point] = true;
                 point_pressure_[entry.point] +=
@@ -391,12 +393,12 @@ namespace NPT
     std::vector<unsigned int>              first;
     for (unsigned int I = 0; I < nodes_.size(); ++I)
       {
-        if (multiplicity_[I] == 0 ||
+        if (symmetry_weight_[I] == 0 ||
             (!nodes_[I].active && nodes_[I].gap > margin))
           continue;
         first.clear();
         for (const auto &entry : averaging_.nodes()[I].entries)
-          if (usable(entry.point))
+          if (is_admissible(entry.point))
             {
               for (const unsigned int l : points_[entry.point].shape.lattice)
                 first.push_back(secondary_.first_dof(l));
@@ -434,7 +436,7 @@ namespace NPT
       }
     for (unsigned int q = 0; q < points_.size(); ++q)
       {
-        history_.closest[q].known   = usable(q);
+        history_.closest[q].known   = is_admissible(q);
         history_.closest[q].surface = closest_[q].surface;
         history_.closest[q].u       = closest_[q].u;
       }
@@ -451,7 +453,7 @@ namespace NPT
     for (unsigned int I = 0; I < nodes_.size(); ++I)
       {
         const NodeState &state = nodes_[I];
-        if (multiplicity_[I] == 0 || (!state.active && multiplier_[I] == 0.))
+        if (symmetry_weight_[I] == 0 || (!state.active && multiplier_[I] == 0.))
           continue;
         result.gap = std::max(result.gap,
                               std::abs(state.pressure - multiplier_[I]) /
@@ -561,7 +563,7 @@ namespace NPT
     for (unsigned int I = 0; I < nodes_.size(); ++I)
       {
         const NodeState   &state = nodes_[I];
-        const unsigned int k     = multiplicity_[I];
+        const unsigned int k     = symmetry_weight_[I];
         const double       W     = k * averaging_.nodes()[I].area;
         result.energy += W * state.energy;
         if (!state.active)

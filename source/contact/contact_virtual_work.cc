@@ -264,9 +264,9 @@ namespace NPT
                                               std::vector<double> &block) const
   {
     const NodeState    &state = nodes_[I];
-    const double        W     = multiplicity_[I] * averaging_.nodes()[I].area;
-    const auto         &rows  = variations.rows;
-    const unsigned int  n     = rows[0].size();
+    const double        W    = symmetry_weight_[I] * averaging_.nodes()[I].area;
+    const auto         &rows = variations.rows;
+    const unsigned int  n    = rows[0].size();
     std::vector<double> right(n);
     const auto          add_product = [&](const std::vector<double> &left) {
       for (unsigned int k = 0; k < n; ++k)
@@ -314,7 +314,7 @@ namespace NPT
     const auto &entries = averaging_.nodes()[I].entries;
     average.dofs.clear();
     for (const auto &entry : entries)
-      if (usable(entry.point))
+      if (is_admissible(entry.point))
         for (const unsigned int dof : of_points[entry.point].dofs)
           {
             if (dof >= slot.size())
@@ -329,7 +329,7 @@ namespace NPT
     for (unsigned int r = 0; r < n_variations(); ++r)
       average.rows[r].assign(dim * average.dofs.size(), 0.);
     for (const auto &entry : entries)
-      if (usable(entry.point))
+      if (is_admissible(entry.point))
         {
           const Variations &point = of_points[entry.point];
           for (unsigned int A = 0; A < point.dofs.size(); ++A)
@@ -403,7 +403,7 @@ namespace NPT
     std::vector<unsigned int> slot;
     for (unsigned int I = 0; I < nodes_.size(); ++I)
       {
-        if (!nodes_[I].active || multiplicity_[I] == 0 ||
+        if (!nodes_[I].active || symmetry_weight_[I] == 0 ||
             averaging_.nodes()[I].area == 0.)
           continue;
         average_variations(I, of_points, slot, average);

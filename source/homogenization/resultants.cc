@@ -28,10 +28,10 @@ namespace NPT
 
 
   Tensor<2, 3>
-  contact_dipole(const FabricCell                &cell,
-                 const IGASpace<3>               &space,
-                 const std::vector<GhostSurface> &ghosts,
-                 const dealii::Vector<double>    &contact_force)
+  contact_dipole(const FabricCell                 &cell,
+                 const IGASpace<3>                &space,
+                 const std::vector<PeriodicImage> &images,
+                 const dealii::Vector<double>     &contact_force)
   {
     Resultants sum;
     const auto add = [&](const unsigned int first, const dealii::Point<3> &X) {
@@ -41,9 +41,9 @@ namespace NPT
     };
     for (unsigned int A = 0; A < space.n_control_points(); ++A)
       add(3 * A, space.control_points()[A]);
-    for (const GhostSurface &ghost : ghosts)
-      for (unsigned int l = 0; l < ghost.reference.size(); ++l)
-        add(ghost.first_unknown + 3 * l, ghost.reference[l]);
+    for (const PeriodicImage &periodic_image : images)
+      for (unsigned int l = 0; l < periodic_image.reference.size(); ++l)
+        add(periodic_image.first_unknown + 3 * l, periodic_image.reference[l]);
     return complete_by_symmetry(cell, sum).N;
   }
 } // namespace NPT

@@ -48,7 +48,8 @@ namespace
          const ContactParameters            &parameters,
          const double                        mu    = 0.,
          const Basis                         basis = Basis::NURBS,
-         const typename ContactAssembler<dim>::Multiplicity &multiplicity = {},
+         const typename ContactAssembler<dim>::SymmetryWeight &symmetry_weight =
+           {},
          const std::string &slip_measure = slip_measures[0])
       : space(patches, {}, basis)
       , secondary(space, 0, dim - 1, 1)
@@ -58,7 +59,7 @@ namespace
                 parameters,
                 friction_parameters(mu, slip_measure),
                 0.6,
-                multiplicity)
+                symmetry_weight)
       , X(space.control_points())
     {
       if (mu > 0.)

@@ -9,7 +9,7 @@
 #include <npt_dealii/contact/contact_history.h>
 #include <npt_dealii/contact/contact_kinematics.h>
 #include <npt_dealii/contact/contact_parameters.h>
-#include <npt_dealii/contact/friction_law.h>
+#include <npt_dealii/contact/coulomb_friction.h>
 #include <npt_dealii/contact/normal_law.h>
 
 #include <functional>
@@ -55,7 +55,7 @@ namespace NPT
     /// Integer weight of a node in the virtual work, by the reference position
     /// of its control point or Gauss point; see fabric symmetry (a 2-fold axis
     /// lets one half of the nodes stand for both).
-    using Multiplicity =
+    using SymmetryWeight =
       std::function<unsigned int(const dealii::Point<dim> &)>;
 
     /**
@@ -65,8 +65,8 @@ namespace NPT
                      const std::vector<ContactSurface<dim>> &primaries,
                      const ContactParameters                &contact,
                      const FrictionParameters               &friction,
-                     const double        maximum_penetration,
-                     const Multiplicity &multiplicity = {});
+                     const double          maximum_penetration,
+                     const SymmetryWeight &symmetry_weight = {});
 
     /// Switch friction on (with zero slip history from now on) or off.
     void
@@ -137,14 +137,14 @@ namespace NPT
     /// State at a contact node.
     struct NodeState
     {
-      double                          gap      = 0;
-      bool                            active   = false;
-      bool                            slipping = false;
-      double                          pressure = 0; ///< p <= 0
-      double                          slope    = 0;
-      double                          energy   = 0;
-      std::array<double, m>           slip     = {};
-      typename FrictionLaw<m>::Answer friction;
+      double                                gap      = 0;
+      bool                                  active   = false;
+      bool                                  slipping = false;
+      double                                pressure = 0; ///< p <= 0
+      double                                slope    = 0;
+      double                                energy   = 0;
+      std::array<double, m>                 slip     = {};
+      typename CoulombFriction<m>::Response friction;
     };
     const std::vector<NodeState> &
     nodes() const
@@ -275,7 +275,7 @@ namespace NPT
                          const Variations    &variations,
                          std::vector<double> &block) const;
     bool
-    usable(const unsigned int q) const;
+    is_admissible(const unsigned int q) const;
     void
     find_closest(const dealii::Point<dim> &x,
                  const unsigned int        q,
@@ -284,13 +284,13 @@ namespace NPT
     ContactSurface<dim>                                    secondary_;
     std::vector<ContactSurface<dim>>                       primaries_;
     ContactParameters                                      contact_;
-    FrictionLaw<m>                                         friction_law_;
+    CoulombFriction<m>                                     friction_law_;
     const bool                                             by_closest_point_;
     bool                                                   friction_on_ = false;
     double                                                 maximum_penetration_;
     std::vector<typename IGASurface<dim>::QuadraturePoint> points_;
     Averaging                                              averaging_;
-    std::vector<unsigned int>                              multiplicity_;
+    std::vector<unsigned int>                              symmetry_weight_;
 
     ContactHistory<dim>               history_;
     std::vector<ProjectionStart<dim>> starts_;

@@ -16,8 +16,9 @@ namespace NPT
   /**
    * A patch face in contact. Its control points have reference positions and
    * unknowns; for an image in a neighboring cell these are the mapped
-   * positions and the ghost unknowns that AffineConstraints ties to the base
-   * cell and the macro unknowns. Contact itself does not know the difference.
+   * positions and the unknowns of the image that AffineConstraints ties to the
+   * base cell and the macro unknowns. Contact itself does not know the
+   * difference.
    */
   template <int dim>
   class ContactSurface
@@ -42,7 +43,8 @@ namespace NPT
      * An image of a face.
      *
      * @param reference Mapped reference positions per lattice position.
-     * @param first_dof First of the dim ghost unknowns per lattice position.
+     * @param first_dof First of the dim unknowns of the image per lattice
+     * position.
      * @param mirrored The map has determinant -1: the normal turns over.
      */
     ContactSurface(const IGASurface<dim>                 &surface,

@@ -17,7 +17,7 @@ namespace NPT
   {
     double penalty; ///< epsilon_N [N/mm^3]
 
-    struct Answer
+    struct Response
     {
       bool   active;
       double pressure; ///< p <= 0, the sign of (23)
@@ -25,7 +25,7 @@ namespace NPT
       double energy;   ///< per area, with dE/dg = p [N/mm]
     };
 
-    Answer
+    Response
     operator()(const double gap, const double multiplier = 0.) const
     {
       const double p = multiplier + penalty * gap;

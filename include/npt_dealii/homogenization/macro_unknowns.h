@@ -34,20 +34,20 @@ namespace NPT
     {
       return first + n_modes;
     }
-    /// Unknowns of images follow; see GhostSurface.
+    /// Unknowns of images follow; see PeriodicImage.
     unsigned int
-    first_ghost() const
+    first_image_unknown() const
     {
       return first + n_macro;
     }
     unsigned int
     n_unknowns() const
     {
-      return first + n_macro + n_ghosts;
+      return first + n_macro + n_image_unknowns;
     }
 
     unsigned int first;
-    unsigned int n_ghosts = 0;
+    unsigned int n_image_unknowns = 0;
   };
 } // namespace NPT
 

@@ -5,8 +5,8 @@
 #ifndef npt_dealii_homogenization_resultants_h
 #define npt_dealii_homogenization_resultants_h
 
-#include <npt_dealii/cell/fabric_cell.h>
-#include <npt_dealii/homogenization/periodicity.h>
+#include <npt_dealii/fabric/fabric_cell.h>
+#include <npt_dealii/homogenization/fabric_couplings.h>
 #include <npt_dealii/iga/iga_space.h>
 
 #include <deal.II/base/tensor.h>
@@ -37,14 +37,14 @@ namespace NPT
    * control points [N/mm]. Conjugates and averages differ by exactly this,
    * e.g. n_1 = N_11 + D_11, n_3 = (N_12 + N_21 + D_12 + D_21) / 2.
    *
-   * @param contact_force C_c of all unknowns (full vector, ghosts
+   * @param contact_force C_c of all unknowns (full vector, images
    *   included).
    */
   dealii::Tensor<2, 3>
-  contact_dipole(const FabricCell                &cell,
-                 const IGASpace<3>               &space,
-                 const std::vector<GhostSurface> &ghosts,
-                 const dealii::Vector<double>    &contact_force);
+  contact_dipole(const FabricCell                 &cell,
+                 const IGASpace<3>                &space,
+                 const std::vector<PeriodicImage> &images,
+                 const dealii::Vector<double>     &contact_force);
 } // namespace NPT
 
 #endif

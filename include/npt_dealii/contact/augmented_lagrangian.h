@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the solution of one load step with contact: Newton's method, repeated
+// for the augmented Lagrangian.
+
+#ifndef npt_dealii_contact_augmented_lagrangian_h
+#define npt_dealii_contact_augmented_lagrangian_h
+
+#include <npt_dealii/contact/contact_assembler.h>
+#include <npt_dealii/load_step/newton.h>
+
+#include <vector>
+
+namespace NPT
+{
+  struct ContactStepReport
+  {
+    /// Of the first solution, whose order tells of the tangent; iterations:
+    /// the sum over all solutions.
+    NewtonReport newton;
+    /// Norm of the residual of the last solution [N].
+    double final_residual = 0;
+  };
+
+  /**
+   * Solve a load step from the given x: once with the penalty method; with the
+   * augmented Lagrangian repeat with the tractions of the last solution as
+   * multipliers until penetration and stick drift are below their tolerances,
+   * (A17) of doc/theory.md. Repetitions that gain little make the penalties
+   * grow; see ContactAssembler::augment().
+   *
+   * Throws NewtonNotConverged, "augmentation limit" if
+   * ContactParameters::max_augmentations are not enough, and whatever
+   * solve_newton() throws.
+   */
+  ContactStepReport
+  solve_contact_step(const NewtonParameters                   &newton,
+                     const ContactParameters                  &parameters,
+                     const NewtonProblem                      &problem,
+                     const std::vector<ContactAssembler<3> *> &contacts,
+                     dealii::Vector<double>                   &x);
+
+  /**
+   * Let friction begin at the state u: the present closest points are the
+   * reference of the slip, with zero traction. Friction must be switched on
+   * already, see ContactAssembler::set_friction().
+   */
+  void
+  start_friction(ContactAssembler<3> &contact, const dealii::Vector<double> &u);
+} // namespace NPT
+
+#endif

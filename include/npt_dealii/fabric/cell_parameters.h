@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the cell and mesh entries of the parameter file.
+
+#ifndef npt_dealii_fabric_cell_parameters_h
+#define npt_dealii_fabric_cell_parameters_h
+
+#include <npt_dealii/fabric/bundle_section.h>
+#include <npt_dealii/iga/iga_space.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace NPT
+{
+  /// A quantity of the warp bundles and of the weft bundles.
+  struct WarpWeft
+  {
+    double warp, weft;
+
+    /// The same for both.
+    WarpWeft(const double both)
+      : warp(both)
+      , weft(both)
+    {}
+    WarpWeft(const double of_warp, const double of_weft)
+      : warp(of_warp)
+      , weft(of_weft)
+    {}
+    double
+    smaller() const
+    {
+      return std::min(warp, weft);
+    }
+    double
+    mean() const
+    {
+      return 0.5 * (warp + weft);
+    }
+  };
+
+  /// Subsection "Cell": geometry of the weave.
+  struct CellParameters
+  {
+    WarpWeft crossing_spacing = 5.0; ///< of parallel bundles [mm]
+    WarpWeft bundle_width     = 4.0; ///< w [mm]
+    WarpWeft bundle_thickness = 1.2; ///< t [mm]
+
+    BundleSection::Shape section       = BundleSection::Shape::lens;
+    double               section_power = 1.5; ///< n [-]
+    double               blunt_tip     = 0.1; ///< e / t [-]
+
+    double      weaving_depth  = 1.0; ///< [-]
+    std::string type           = "sub-unit cell";
+    std::string weave          = "plain"; ///< name or table
+    bool        two_fold_axis  = true;
+    bool        smooth_closure = false; ///< C1 over the periodic faces
+    bool        images         = true;
+    enum class SideContact
+    {
+      automatic,
+      on,
+      off
+    };
+    SideContact         side_contact   = SideContact::automatic;
+    bool                warp_secondary = false; ///< which side carries nodes
+    std::vector<double> plies          = {0.};  ///< laminate: angles [degrees]
+
+    BundleSection
+    warp_section() const;
+    BundleSection
+    weft_section() const;
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+    /// Throws InputError for impossible combinations.
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /// Subsection "Mesh": discretization of each bundle.
+  struct MeshParameters
+  {
+    Basis        basis            = Basis::NURBS;
+    unsigned int degree           = 2;
+    unsigned int elements_along   = 9;
+    unsigned int elements_across  = 9;
+    unsigned int elements_through = 2;
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+} // namespace NPT
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns what all pictures have in common: quoting, colors, the frame of the
+// gnuplot script, and calling gnuplot.
+
+#ifndef npt_dealii_io_gnuplot_h
+#define npt_dealii_io_gnuplot_h
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace NPT
+{
+  /// Text in gnuplot's single quotes, which take all but the quote literally.
+  std::string
+  gnuplot_text(const std::string &text);
+
+  /// Color i of eight that color-blind readers can tell apart (Okabe, Ito);
+  /// more begin anew.
+  std::string
+  gnuplot_color(const unsigned int i);
+
+  /// A picture of panels in rows and columns.
+  struct GnuplotPicture
+  {
+    std::string  name;       ///< the files NAME.svg and NAME.png
+    unsigned int width  = 0; ///< of the whole picture [pixels]
+    unsigned int height = 0; ///< [pixels]
+    unsigned int n_rows = 1, n_columns = 1;
+    std::string  title;    ///< above all panels, may be empty
+    std::string  settings; ///< commands before the panels, one per line
+  };
+
+  /**
+   * Write a gnuplot script that draws a picture as SVG and, if gnuplot can, as
+   * PNG, beside the script. Data files are tables as TableWriter writes them.
+   *
+   * @param write_panels Writes the commands between `set multiplot` and `unset
+   *   multiplot`; they are run once for each of the two files.
+   */
+  void
+  write_gnuplot_script(const std::string                         &script,
+                       const GnuplotPicture                      &picture,
+                       const std::function<void(std::ostream &)> &write_panels);
+
+  /**
+   * Run gnuplot on a script in the script's folder, or once on several scripts
+   * of one folder, which saves half of the time of a simple picture.
+   *
+   * @return Empty if all went well, else a warning of one line: without
+   *   gnuplot a run has its numbers and only lacks the picture.
+   */
+  std::string
+  run_gnuplot(const std::string &script);
+  std::string
+  run_gnuplot(const std::string              &folder,
+              const std::vector<std::string> &scripts);
+} // namespace NPT
+
+#endif

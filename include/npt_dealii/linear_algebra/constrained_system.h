@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the linear system in the independent unknowns: what AffineConstraints
+// leave free, with fast assembly and prescribed values.
+
+#ifndef npt_dealii_linear_algebra_constrained_system_h
+#define npt_dealii_linear_algebra_constrained_system_h
+
+#include <npt_dealii/linear_algebra/csr_matrix.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <set>
+#include <vector>
+
+namespace NPT
+{
+  /**
+   * With homogeneous AffineConstraints every unknown is a linear combination
+   * of independent ones, u = C m. This class numbers the m, keeps C, and
+   * assembles C^T K C and C^T r from element contributions.
+   *
+   * Loads enter through independent unknowns with prescribed values (macro
+   * unknowns, weaving offset), never through inhomogeneities, so C stays
+   * fixed within a stage and reactions are entries of C^T r.
+   *
+   * Groups of unknowns that recur (cells) are registered once; their positions
+   * in the matrix are computed with the pattern.
+   */
+  class ConstrainedSystem
+  {
+  public:
+    /// Number the independent unknowns. Forgets groups, couplings and pattern.
+    void
+    reinit(const dealii::AffineConstraints<double> &constraints,
+           const unsigned int                       n_unknowns);
+
+    unsigned int
+    n_independent() const
+    {
+      return independent_.size();
+    }
+    /// Full index of independent unknown k.
+    unsigned int
+    unknown(const unsigned int k) const
+    {
+      return independent_[k];
+    }
+    /// Number of an unknown among the independent ones, or -1.
+    int
+    independent_index(const unsigned int unknown) const
+    {
+      return index_[unknown];
+    }
+
+    /// u = C m.
+    void
+    expand(const dealii::Vector<double> &m, dealii::Vector<double> &u) const;
+    /// C^T r.
+    void
+    condense(const dealii::Vector<double> &r,
+             dealii::Vector<double>       &condensed) const;
+    /// Pick the independent entries of a full vector.
+    void
+    restrict_to_independent(const dealii::Vector<double> &u,
+                            dealii::Vector<double>       &m) const;
+
+    /// Register a recurring group; returns its number.
+    unsigned int
+    add_group(const std::vector<unsigned int> &unknowns);
+
+    /**
+     * Build the pattern of all groups and of further couplings (contact).
+     * Those given before stay, so that contact points that move to and fro do
+     * not change the pattern each time. Sets the matrix to zero.
+     */
+    void
+    build_pattern(const std::vector<std::vector<unsigned int>> &couplings = {});
+
+    void
+    set_zero()
+    {
+      matrix_.set_zero();
+    }
+    /// Add factor * C^T K C of a registered group.
+    void
+    add(const unsigned int         group,
+        const std::vector<double> &K,
+        const double               factor = 1.);
+    /// Add for arbitrary unknowns; false if the pattern lacks an entry (then
+    /// the caller must rebuild the pattern and assemble again).
+    bool
+    add(const std::vector<unsigned int> &unknowns,
+        const std::vector<double>       &K);
+
+    /// C^T K C over all independent unknowns.
+    const CSRMatrix &
+    matrix() const
+    {
+      return matrix_;
+    }
+
+    /**
+     * Declare which independent unknowns have prescribed values. The others
+     * are free.
+     */
+    void
+    set_prescribed(const std::vector<bool> &prescribed);
+    unsigned int
+    n_free() const
+    {
+      return free_.size();
+    }
+    /// Independent number of free unknown k.
+    unsigned int
+    free_unknown(const unsigned int k) const
+    {
+      return free_[k];
+    }
+    /// The block of the free unknowns, with the present values.
+    const CSRMatrix &
+    free_matrix();
+
+  private:
+    struct Group
+    {
+      std::vector<int>    masters; // sorted independent numbers
+      std::vector<int>    start;   // per local unknown, into the next two
+      std::vector<int>    local;   // position in masters
+      std::vector<double> coefficient;
+      std::vector<int>    positions; // into matrix values
+      bool                simple;    // every unknown is +/- one distinct master
+    };
+    Group
+    make_group(const std::vector<unsigned int> &unknowns) const;
+    bool
+    find_positions(Group &group) const;
+    void
+    add(const Group &group, const std::vector<double> &K, const double factor);
+
+    // C in compressed rows over all unknowns.
+    std::vector<int>          row_start_;
+    std::vector<int>          row_column_;
+    std::vector<double>       row_value_;
+    std::vector<unsigned int> independent_;
+    std::vector<int>          index_;
+
+    std::vector<Group>                  groups_;
+    std::set<std::vector<unsigned int>> couplings_;
+    CSRMatrix                           matrix_;
+    std::vector<double>                 scratch_, scratch2_;
+
+    std::vector<bool>         prescribed_;
+    std::vector<unsigned int> free_;
+    CSRMatrix                 free_matrix_;
+    std::vector<int>          free_source_;
+    std::size_t               free_pattern_of_ = 0;
+  };
+} // namespace NPT
+
+#endif

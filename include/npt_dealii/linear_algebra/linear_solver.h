@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the solution of the linearized system: direct and iterative solvers
+// behind one factorize() and one solve().
+
+#ifndef npt_dealii_linear_algebra_linear_solver_h
+#define npt_dealii_linear_algebra_linear_solver_h
+
+#include <npt_dealii/linear_algebra/csr_matrix.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace NPT
+{
+  /// Subsection "Linear solver".
+  struct LinearSolverParameters
+  {
+    std::string  type           = "MUMPS"; ///< MUMPS|UMFPACK|ILU|ML
+    double       tolerance      = 1e-10;   ///< ILU, ML: relative residual [-]
+    unsigned int max_iterations = 500;     ///< ILU, ML: GMRES iterations
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /**
+   * Solve A x = b for a general (friction: unsymmetric) sparse matrix on one
+   * process. With several MPI processes every one of them solves its own
+   * system; nothing is communicated.
+   *
+   * What depends on the pattern only (ordering, symbolic factorization, copies
+   * of the index arrays) is kept as long as CSRMatrix::pattern_id() stays the
+   * same; the values are overwritten in place.
+   *
+   * - MUMPS, UMFPACK: direct. The residual of every solution is computed (one
+   *   product) and one step of iterative refinement
+   *   is done only if it exceeds 1e-12 |b|: a solution that is already at
+   *   round-off level gains nothing from it.
+   * - ILU: GMRES with incomplete factorization without fill. The iterative
+   *   solver of choice with contact, where the penalty spoils the coarse
+   *   spaces of multigrid. On a well held elastic box as fast as MUMPS at 10^3
+   *   unknowns and 2.5 times faster at 15,000; soft supports cost iterations.
+   * - ML: GMRES with smoothed aggregation. Give it the rigid-body modes by
+   *   set_near_null_space(); without them it knows only the constant vector
+   *   and needs many more iterations for elasticity.
+   *
+   * Every failure throws LinearSolverFailed, which a load step may survive: a
+   * singular matrix (direct solvers: found by factorize(), also where the
+   * pivots are round-off instead of zero; or by a residual above 1e-6 |b|), a
+   * right-hand side or solution that is not finite, an iteration that does not
+   * converge. GMRES solves a singular system with a balanced load without
+   * complaint, up to a rigid motion.
+   */
+  class LinearSolver
+  {
+  public:
+    explicit LinearSolver(const LinearSolverParameters &parameters);
+    ~LinearSolver();
+
+    LinearSolver(const LinearSolver &) = delete;
+    LinearSolver &
+    operator=(const LinearSolver &) = delete;
+
+    /// Factorize, or set up the preconditioner. A is copied, not referenced.
+    void
+    factorize(const CSRMatrix &A);
+
+    /// @param x Resized; need not be initialized. Must not be `rhs` itself.
+    void
+    solve(const dealii::Vector<double> &rhs, dealii::Vector<double> &x);
+
+    /**
+     * Vectors that A maps to nearly zero; used by ML only, from the next
+     * factorize() on.
+     *
+     * @param modes        Rigid-body modes, each of the size of A.
+     * @param n_components Unknowns per control point if the unknowns are
+     *   numbered point by point, else 1. Ignored if it does not divide the
+     *   size of A (condensed or macro unknowns present).
+     */
+    void
+    set_near_null_space(std::vector<dealii::Vector<double>> modes,
+                        const unsigned int                  n_components = 1);
+
+    /// Set-ups of what depends on the pattern only.
+    unsigned int
+    n_symbolic() const;
+
+    /// Factorizations or preconditioners.
+    unsigned int
+    n_numeric() const;
+
+    unsigned int
+    n_solves() const;
+
+    /// Steps of iterative refinement (direct) or GMRES iterations, summed.
+    unsigned int
+    n_iterations() const;
+
+    /// |b - A x| / |b| of the last solution [-].
+    double
+    relative_residual() const;
+
+    /// Wall time in factorize() and solve() [s].
+    double
+    seconds_factorize() const;
+
+    double
+    seconds_solve() const;
+
+    double
+    seconds() const;
+
+    class Backend; ///< one per solver, linear_solver_backend.h
+
+  private:
+    const LinearSolverParameters parameters;
+    std::unique_ptr<Backend>     backend;
+    unsigned int                 n_unknowns = 0;
+    bool                         usable     = false;
+    std::size_t                  pattern_id = 0;
+
+    unsigned int n_symbolic_        = 0;
+    unsigned int n_numeric_         = 0;
+    unsigned int n_solves_          = 0;
+    unsigned int n_iterations_      = 0;
+    double       relative_residual_ = 0;
+    double       seconds_factorize_ = 0;
+    double       seconds_solve_     = 0;
+  };
+} // namespace NPT
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the Newton loop: criteria, line search, detection of cycles. Knows no
+// physics; the problem comes as callables.
+
+#ifndef npt_dealii_load_step_newton_h
+#define npt_dealii_load_step_newton_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/lac/vector.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace NPT
+{
+  /// Subsection "Newton".
+  struct NewtonParameters
+  {
+    double       relative_tolerance = 1e-7;  ///< of the force scale [-]
+    double       absolute_tolerance = 1e-10; ///< [N]
+    unsigned int max_iterations     = 25;
+    bool         line_search        = true;
+    unsigned int max_halvings       = 8;
+    unsigned int nonmonotone_memory = 3;
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /// What solve_newton() asks of a problem r(x) = 0. All but state_summary
+  /// are required.
+  struct NewtonProblem
+  {
+    /// Evaluate r(x). May throw a LoadStepFailure (inverted cell, lost
+    /// projection), which the line search takes for a step too long.
+    std::function<void(const dealii::Vector<double> &x,
+                       dealii::Vector<double>       &residual)>
+      residual;
+
+    /// Assemble and factorize the tangent dr/dx. Always called with the x of
+    /// the last call of residual(), so that its intermediate results may be
+    /// reused.
+    std::function<void(const dealii::Vector<double> &x)> prepare_tangent;
+
+    /// Solve (dr/dx) dx = rhs with the tangent of the last prepare_tangent().
+    std::function<void(const dealii::Vector<double> &rhs,
+                       dealii::Vector<double>       &dx)>
+      solve;
+
+    /// The forces that the residual is small against [N], at the last
+    /// residual(): e.g. the norm of the internal forces before they cancel.
+    std::function<double()> force_scale;
+
+    /// Optional: a few words on the state at the last residual(), e.g. the
+    /// numbers of open, sticking and slipping points.
+    std::function<std::string()> state_summary;
+  };
+
+  struct NewtonReport
+  {
+    unsigned int             iterations = 0;  ///< corrections accepted
+    std::vector<double>      residual_norms;  ///< [N], iterations + 1 entries
+    std::vector<std::string> state_summaries; ///< one per norm, if asked for
+    double                   force_scale        = 0; ///< at the last norm [N]
+    bool                     converged          = false;
+    unsigned int             n_line_search_cuts = 0;
+    unsigned int             n_residuals        = 0; ///< evaluations
+
+    /**
+     * Return the observed order of convergence, from the last two drops:
+     * @f[ q = \frac{\log(r_k / r_{k-1})}{\log(r_{k-1} / r_{k-2})} @f]
+     *
+     * Last residuals below 1e-13 of the force scale are left out: they are
+     * round-off and would pull q towards zero. NaN if fewer than three
+     * residuals remain or if the earlier of the two was no drop.
+     */
+    double
+    order() const;
+  };
+
+  /**
+   * Solve r(x) = 0 from the given x by Newton's method.
+   *
+   * Converged if |r| <= max(relative_tolerance * force_scale,
+   * absolute_tolerance), tested before the first correction too. The absolute
+   * tolerance is the floor for states in which all forces vanish.
+   *
+   * Line search: the correction dx is halved until
+   * @f[ \|r(x + \alpha dx)\| \le (1 - 10^{-4} \alpha)
+   *     \max_{0 \le j < m} \|r_{k-j}\| @f]
+   * (Grippo, Lampariello, Lucidi 1986), m = nonmonotone_memory. m = 1 is the
+   * usual monotone backtracking. At first contact and at changes between stick
+   * and slip the full step often raises the residual once and converges
+   * quadratically from there, hence m = 3. A trial that throws LoadStepFailure
+   * or whose residual is not finite is rejected like one that is too large; a
+   * converged trial is always accepted.
+   *
+   * Throws NewtonNotConverged with one of the reasons
+   * - "iteration limit",
+   * - "line search failed": no halving is accepted; x gives no descent,
+   * - "active set cycling": the residual norms repeat with period 2 or 3
+   *   within 1e-6,
+   * - "stagnated": four norms agree within 1e-6,
+   * - "diverged": |r| > 1e8 times the force scale,
+   * - "invalid residual": not finite at the start or without line search,
+   * and passes on a LoadStepFailure of the start, of the tangent and of the
+   * linear solver. x is then an iterate of no meaning; the caller restores it.
+   */
+  NewtonReport
+  solve_newton(const NewtonParameters &parameters,
+               const NewtonProblem    &problem,
+               dealii::Vector<double> &x);
+} // namespace NPT
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns parameter studies: many plate tests from one parameter file with loops,
+// and what is made of them.
+
+#ifndef npt_dealii_problems_parameter_study_parameter_study_h
+#define npt_dealii_problems_parameter_study_parameter_study_h
+
+#include <npt_dealii/problems/parameter_study/study_parameters.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace NPT
+{
+  /**
+   * Run a study: all cases that are not finished, then tables and pictures.
+   * Collective if started by mpirun.
+   *
+   * Throws StageFailed if the reference of a work-precision study failed;
+   * other cases may fail, the tables say how.
+   */
+  void
+  run_parameter_study(const StudyParameters &parameters,
+                      const std::string     &directory,
+                      std::ostream          &screen);
+} // namespace NPT
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns all parameters of a plate test: gathers the rooms' structs, declares,
+// reads and cross-checks them.
+
+#ifndef npt_dealii_problems_plate_test_plate_test_parameters_h
+#define npt_dealii_problems_plate_test_plate_test_parameters_h
+
+#include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/contact/contact_parameters.h>
+#include <npt_dealii/fabric/cell_parameters.h>
+#include <npt_dealii/linear_algebra/linear_solver.h>
+#include <npt_dealii/load_step/newton.h>
+#include <npt_dealii/material/make_material.h>
+#include <npt_dealii/problems/plate_test/load_programme.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace NPT
+{
+  /// Values of the entry "Problem", the first being the default.
+  const std::vector<std::string> &
+  problem_names();
+
+  /// Declare the entry "Problem", which every parameter file has.
+  void
+  declare_problem(dealii::ParameterHandler &prm, const std::string &problem);
+
+  /// Subsection "Output".
+  struct OutputParameters
+  {
+    std::string directory = "output";
+    std::string fields    = "stages"; ///< none, stages or steps
+    bool        picture   = true;
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /// Subsection "Stability".
+  struct StabilityParameters
+  {
+    bool check_ellipticity = false;
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /**
+   * Parameters of a numerical plate test. Origin stays visible:
+   * parameters.friction.coefficient is the entry "Friction coefficient" of
+   * subsection "Friction".
+   */
+  struct PlateTestParameters
+  {
+    CellParameters         cell;
+    MeshParameters         mesh;
+    MaterialParameters     material;
+    MaterialParameters     weft_material; ///< the same unless the file differs
+    ContactParameters      contact;
+    FrictionParameters     friction;
+    LoadProgramme          load_programme;
+    NewtonParameters       newton;
+    LinearSolverParameters linear_solver;
+    StabilityParameters    stability;
+    OutputParameters       output;
+
+    /// Why the program chose this cell type ("because ..."); empty if the file
+    /// names the type.
+    std::string reason_for_type;
+
+    /// The complete file with defaults, as it will be kept with the results.
+    std::string used_file;
+
+    /**
+     * Read a parameter file (or its text) with overrides
+     * 'Subsection/Entry=value', checking everything.
+     *
+     * Throws InputError with one sentence for the first mistake.
+     */
+    static PlateTestParameters
+    read(const ParameterText            &text,
+         const std::vector<std::string> &overrides = {});
+
+    /// A documented parameter file with all defaults.
+    static std::string
+    documented_defaults();
+  };
+} // namespace NPT
+
+#endif

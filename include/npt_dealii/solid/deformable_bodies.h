@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the deformable solids of a problem: their space, laws and reference
+// gradients, and the assembly of their virtual work.
+
+#ifndef npt_dealii_solid_deformable_bodies_h
+#define npt_dealii_solid_deformable_bodies_h
+
+#include <npt_dealii/iga/iga_space.h>
+#include <npt_dealii/linear_algebra/constrained_system.h>
+#include <npt_dealii/material/ellipticity.h>
+#include <npt_dealii/material/hyperelastic_law.h>
+#include <npt_dealii/solid/solid_kernel.h>
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/lac/vector.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace NPT
+{
+  /// One patch of a deformable body.
+  struct DeformablePart
+  {
+    NURBSPatch<3>                       patch;
+    std::unique_ptr<HyperelasticLaw<3>> law;
+    unsigned int body = 0; ///< patches of one body are joined
+    std::string  name;     ///< for messages: "bundle 2", "the matrix"
+  };
+
+  /**
+   * Bodies of one or several patches in total Lagrangian form. Their virtual
+   * work, its linearization and their stored energy are sums over the cells,
+   *
+   * @f[ \delta W = \sum_c m_c \int_c \delta F : P \, dV, \qquad
+   *     \Delta \delta W = \sum_c m_c \int_c \delta F : A : \Delta F \, dV,
+   *     \qquad F = 1 + \mathrm{Grad}\, w, @f]
+   *
+   * where the symmetry_weight m_c is 1 unless symmetry says otherwise: a cell
+   * that stands for its image too has 2, the image itself has 0 and is skipped.
+   *
+   * Unknown 3 A + i is component i of the displacement of control point A [mm].
+   * Vectors may be longer: a problem appends its own unknowns (macroscopic
+   * gradients, images). The integral over one cell is SolidKernel's.
+   */
+  class DeformableBodies
+  {
+  public:
+    /// m_c from the patch of the cell and its center of volume.
+    using SymmetryWeight =
+      std::function<unsigned int(const unsigned int      patch,
+                                 const dealii::Point<3> &center)>;
+
+    /**
+     * @param n_gauss_points Per direction; 0 takes degree + 1.
+     * @param symmetry_weight Empty: every cell once.
+     *
+     * Throws InputError if patches of a body do not fit (IGASpace), and
+     * InvertedCell if a patch is folded in the reference configuration.
+     */
+    DeformableBodies(std::vector<DeformablePart> parts,
+                     const Basis                 basis,
+                     const unsigned int          n_gauss_points  = 0,
+                     const SymmetryWeight       &symmetry_weight = {});
+
+    const IGASpace<3> &
+    space() const
+    {
+      return *space_;
+    }
+    /// By patch.
+    const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &
+    laws() const
+    {
+      return laws_;
+    }
+    /// By cell.
+    const std::vector<CellGradients> &
+    gradients() const
+    {
+      return gradients_;
+    }
+    unsigned int
+    symmetry_weight(const unsigned int cell) const
+    {
+      return symmetry_weight_[cell];
+    }
+    /// Global unknowns of a cell, ordered by component as SolidKernel wants.
+    const std::vector<unsigned int> &
+    cell_unknowns(const unsigned int cell) const
+    {
+      return cell_unknowns_[cell];
+    }
+    unsigned int
+    n_displacements() const
+    {
+      return 3 * space_->n_control_points();
+    }
+
+    /// The entries of u that belong to a cell, in the order of
+    /// cell_unknowns().
+    void
+    cell_displacement(const unsigned int            cell,
+                      const dealii::Vector<double> &u,
+                      std::vector<double>          &w) const;
+
+    /// Announce the cells to a system, before its pattern is built and again
+    /// after each ConstrainedSystem::reinit().
+    void
+    add_groups(ConstrainedSystem &system);
+
+    /**
+     * Add the internal forces at u to a full residual.
+     *
+     * @return Their size before they cancel between cells,
+     *   (sum_c m_c |f_c|^2)^(1/2) [N], against which the convergence of
+     * Newton's method is measured.
+     *
+     * Throws InvertedCell with the cell and the name of its part.
+     */
+    double
+    add_residual(const dealii::Vector<double> &u,
+                 dealii::Vector<double>       &residual);
+
+    /// Add the tangent at u to the system of the last add_groups().
+    void
+    add_tangent(const dealii::Vector<double> &u, ConstrainedSystem &system);
+
+    /// Of the bodies, images included [N mm].
+    double
+    stored_energy(const dealii::Vector<double> &u) const;
+
+    /// What for_each_point() shows of a quadrature point.
+    struct MaterialPoint
+    {
+      unsigned int         cell;
+      unsigned int         q;  ///< number of the point in the cell
+      double               dV; ///< m_c JxW [mm^3]
+      dealii::Tensor<2, 3> F;
+      dealii::Tensor<2, 3> P; ///< [MPa]
+    };
+
+    /// Visit the quadrature points of all cells with m_c > 0, in order, at the
+    /// state u. Volume averages are sums over these points.
+    void
+    for_each_point(
+      const dealii::Vector<double>                     &u,
+      const std::function<void(const MaterialPoint &)> &visit) const;
+
+    /// Value at a quadrature point of a field given by its coefficients, one
+    /// per control point.
+    double
+    interpolate(const MaterialPoint       &point,
+                const std::vector<double> &coefficients) const;
+
+    /**
+     * Integrals of the functions, sum_c m_c int_c R_A dV [mm^3], which sum to
+     * the volume.
+     *
+     * @param by_symmetry_weight False: every cell counts once.
+     */
+    std::vector<double>
+    integrals_of_functions(const bool by_symmetry_weight) const;
+
+    /// The point of the bodies that is nearest to losing ellipticity.
+    struct Ellipticity
+    {
+      LowestAcousticEigenvalue<3> lowest; ///< elliptic if its value > 0
+      unsigned int                patch = 0;
+      dealii::Point<3>            position; ///< reference configuration [mm]
+    };
+    /// Search all quadrature points at the state u for the lowest eigenvalue
+    /// of the acoustic tensor: 0.1 ms per point, a few seconds per state of the
+    /// default cell.
+    Ellipticity
+    lowest_acoustic_eigenvalue(const dealii::Vector<double> &u) const;
+    /// "bundle 2 at (0.1, 0.2, 0.3): ..." for messages.
+    std::string
+    describe(const Ellipticity &ellipticity) const;
+
+  private:
+    [[noreturn]] void
+    report_inverted_cell(const unsigned int cell) const;
+
+    std::unique_ptr<IGASpace<3>>                     space_;
+    std::vector<std::unique_ptr<HyperelasticLaw<3>>> laws_;  // by patch
+    std::vector<std::string>                         names_; // by patch
+    std::vector<CellGradients>                       gradients_;
+    std::vector<unsigned int>                        symmetry_weight_;
+    std::vector<std::vector<unsigned int>>           cell_unknowns_;
+    std::vector<unsigned int> groups_; // by cell; unused if m_c = 0
+    SolidKernel               kernel_;
+  };
+} // namespace NPT
+
+#endif

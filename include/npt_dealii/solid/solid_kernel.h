@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the cell kernel of a solid in total Lagrangian form: internal force and
+// consistent stiffness from the gradients of the shape functions.
+
+#ifndef npt_dealii_solid_solid_kernel_h
+#define npt_dealii_solid_solid_kernel_h
+
+#include <npt_dealii/material/hyperelastic_law.h>
+
+#include <vector>
+
+namespace NPT
+{
+  /**
+   * Reference gradients of the functions of one cell. In a total Lagrangian
+   * method they never change, so they are computed once.
+   */
+  struct CellGradients
+  {
+    unsigned int        n_functions = 0;
+    unsigned int        n_points    = 0;
+    std::vector<double> gradients; ///< [point][J][function], 1/mm
+    std::vector<double> values;    ///< [point][function]
+    std::vector<double> jxw;       ///< reference volume of the points, mm^3
+  };
+
+  /**
+   * Internal virtual work of a cell and its linearization,
+   *
+   * @f[ f_{iA} = \int P_{iJ} N_{A,J} \, dV, \qquad
+   *     K_{iA,kB} = \int N_{A,J} A_{iJkL} N_{B,L} \, dV . @f]
+   *
+   * Local unknowns are ordered by component: position i * n_functions + A.
+   * The stiffness is computed for i <= k and mirrored (it is symmetric for a
+   * hyperelastic law). The loops run over contiguous functions and are
+   * compiled for several vector widths; the right one is taken at run time.
+   */
+  class SolidKernel
+  {
+  public:
+    /**
+     * @param displacement Local unknowns w [mm].
+     * @param force Receives (not adds) f [N].
+     * @param stiffness Receives K, row major, or null for the force alone.
+     *
+     * Throws InvertedCell if det F <= 0 at a point.
+     */
+    void
+    evaluate(const HyperelasticLaw<3>  &law,
+             const CellGradients       &cell,
+             const std::vector<double> &displacement,
+             std::vector<double>       &force,
+             std::vector<double>       *stiffness);
+
+    /// Stored energy of the cell.
+    static double
+    energy(const HyperelasticLaw<3>  &law,
+           const CellGradients       &cell,
+           const std::vector<double> &displacement);
+
+    /// F at point q, row major.
+    static void
+    deformation_gradient(const CellGradients       &cell,
+                         const std::vector<double> &displacement,
+                         const unsigned int         q,
+                         double                    *F);
+
+  private:
+    std::vector<double> scratch_, tangents_;
+  };
+} // namespace NPT
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the parameters of solid benchmarks.
+
+#ifndef npt_dealii_verification_solids_solid_benchmark_parameters_h
+#define npt_dealii_verification_solids_solid_benchmark_parameters_h
+
+#include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/iga/iga_space.h>
+#include <npt_dealii/linear_algebra/linear_solver.h>
+#include <npt_dealii/load_step/newton.h>
+#include <npt_dealii/load_step/step_control.h>
+#include <npt_dealii/material/make_material.h>
+#include <npt_dealii/verification/solids/exact_solids.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace NPT
+{
+  /// A benchmark of solids, `set Problem = solid benchmark`.
+  struct SolidBenchmarkParameters
+  {
+    /// Subsection "Benchmark".
+    enum class Body
+    {
+      plate_with_hole,
+      cylinder,
+      sphere,
+      block
+    };
+    Body        body         = Body::plate_with_hole;
+    std::string name         = "plate with hole"; ///< of the case
+    double      inner_radius = 1;                 ///< [mm]
+    double      outer_size   = 4;                 ///< [mm]
+    double      load         = 1;                 ///< T or p [MPa]
+    std::vector<std::pair<std::string, Basis>> bases;
+    std::vector<unsigned int>                  degrees;
+    std::vector<unsigned int>                  n_elements; ///< increasing
+    unsigned int                               radial_factor           = 1;
+    unsigned int                               additional_gauss_points = 0;
+    double                                     rate_tolerance          = 0.1;
+
+    /// Subsection "Homogeneous states", for the block.
+    std::vector<std::pair<std::string, HomogeneousMode>> modes;
+    std::vector<unsigned int>                            fiber_axes; ///< from 0
+    double                                               stretch = 1.1; ///< [-]
+    double         shear            = 0.2; ///< gamma [-]
+    double         distortion       = 0.25;
+    double         stress_tolerance = 1e-9; ///< relative
+    StepParameters steps;
+
+    MaterialParameters     material;
+    NewtonParameters       newton;
+    LinearSolverParameters linear_solver;
+
+    std::string directory = "output-benchmark";
+    bool        picture   = true;
+
+    /// The complete file with defaults, as it will be kept with the results.
+    std::string used_file;
+
+    /**
+     * Throws InputError with one sentence for the first mistake; besides what
+     * single entries allow: the outer size must exceed the radius, elements
+     * must increase, and rates of convergence are those of the isotropic law.
+     */
+    static SolidBenchmarkParameters
+    read(const ParameterText            &text,
+         const std::vector<std::string> &overrides = {});
+    static std::string
+    documented_defaults();
+  };
+} // namespace NPT
+
+#endif

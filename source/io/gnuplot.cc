@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The frame of gnuplot scripts, and calling gnuplot.
+
+#include <npt_dealii/io/gnuplot.h>
+#include <npt_dealii/io/replace_file.h>
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <ostream>
+#include <vector>
+
+namespace NPT
+{
+  namespace
+  {
+    std::string
+    quote_for_shell(const std::string &text)
+    {
+      std::string result = "'";
+      for (const char c : text)
+        result += (c == '\'' ? std::string("'\\''") : std::string(1, c));
+      return result + "'";
+    }
+  } // namespace
+
+
+
+  std::string
+  gnuplot_text(const std::string &text)
+  {
+    std::string result = "'";
+    for (const char c : text)
+      result += (c == '\'' ? std::string("''") : std::string(1, c));
+    return result + "'";
+  }
+
+
+
+  std::string
+  gnuplot_color(const unsigned int i)
+  {
+    static const std::vector<std::string> colors = {"#0072b2",
+                                                    "#d55e00",
+                                                    "#009e73",
+                                                    "#cc79a7",
+                                                    "#e69f00",
+                                                    "#56b4e9",
+                                                    "#000000",
+                                                    "#999999"};
+    return colors[i % colors.size()];
+  }
+
+
+
+  void
+  write_gnuplot_script(const std::string                         &script,
+                       const GnuplotPicture                      &picture,
+                       const std::function<void(std::ostream &)> &write_panels)
+  {
+    const std::string size =
+      std::to_string(picture.width) + "," + std::to_string(picture.height);
+    replace_file(script, [&](std::ostream &out) {
+      out << "# Draws " << picture.name << ".svg and " << picture.name
+          << ".png. Change it and run `gnuplot` on it in this folder.\n"
+          << "set datafile separator comma\n"
+          << "set datafile columnheaders\n"
+          << "set grid linecolor rgb '#dddddd' linetype 1 linewidth 1\n"
+          << "set tics nomirror out\n"
+          << picture.settings << "\n"
+          << "do for [kind in 'svg pngcairo'] {\n"
+          << "  if (strstrt(' '.GPVAL_TERMINALS.' ', ' '.kind.' ') == 0) { "
+             "continue }\n"
+          << "  if (kind eq 'svg') {\n"
+          << "    set terminal svg size " << size
+          << " font 'sans-serif,13' background 'white' dynamic\n"
+          << "    set output " << gnuplot_text(picture.name + ".svg") << "\n"
+          << "  } else {\n"
+          << "    set terminal pngcairo size " << size
+          << " font 'sans-serif,11' background 'white'\n"
+          << "    set output " << gnuplot_text(picture.name + ".png") << "\n"
+          << "  }\n"
+          << "  set multiplot layout " << picture.n_rows << ","
+          << picture.n_columns;
+      if (!picture.title.empty())
+        out << " title " << gnuplot_text(picture.title) << " noenhanced";
+      out << "\n";
+      write_panels(out);
+      out << "\n  unset multiplot\n"
+          << "  unset output\n"
+          << "}\n";
+    });
+  }
+
+
+
+  std::string
+  run_gnuplot(const std::string &script)
+  {
+    const std::size_t slash = script.find_last_of('/');
+    if (slash == std::string::npos)
+      return run_gnuplot(".", {script});
+    return run_gnuplot(script.substr(0, slash + 1), {script.substr(slash + 1)});
+  }
+
+
+
+  std::string
+  run_gnuplot(const std::string              &folder,
+              const std::vector<std::string> &scripts)
+  {
+    std::string command = "cd " + quote_for_shell(folder) + " && gnuplot";
+    std::string names;
+    for (const std::string &script : scripts)
+      {
+        command += " " + quote_for_shell(script);
+        names +=
+          (names.empty() ? "" : ", ") +
+          (folder == "." ? "" : folder + (folder.back() == '/' ? "" : "/")) +
+          script;
+      }
+
+    // 127 is the shell's answer to an unknown program.
+    const int status =
+      std::system((command + " >/dev/null 2>&1 </dev/null").c_str());
+    if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 0)
+      return "";
+    if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 127)
+      return "gnuplot was not found, no picture is drawn; install gnuplot and "
+             "run it on " +
+             names + ".";
+    return "gnuplot failed on " + names +
+           ", no picture is drawn; run it by hand to see why.";
+  }
+} // namespace NPT

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the load factor of a stage: the next trial, growth, cuts, giving up.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/short_number.h>
+#include <npt_dealii/load_step/step_control.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace NPT
+{
+  namespace
+  {
+    // 0.1 is not 1/10 in binary; comparisons of steps forgive that.
+    constexpr double tolerance = 1e-9;
+
+    std::string
+    hint(const std::string &reason)
+    {
+      if (reason == "inverted cell" || reason == "loss of ellipticity")
+        return "the state itself may be the limit: look at the fields of the "
+               "last accepted step, refine or reshape the mesh there, or lower "
+               "the target";
+      if (reason == "linear solver failed")
+        return "look for bodies that nothing holds; give a weave a release "
+               "stage, or try another Type in subsection Linear solver";
+      if (reason == "active set cycling" || reason == "stagnated")
+        return "lower the contact penalties or switch on the line search "
+               "(subsection Newton)";
+      return "lower the Minimum step of the stage, lower the contact "
+             "penalties, or raise Maximum iterations (subsection Newton)";
+    }
+  } // namespace
+
+
+
+  void
+  StepParameters::declare_parameters(dealii::ParameterHandler &prm) const
+  {
+    using namespace dealii;
+    prm.declare_entry("Initial step",
+                      short_number(initial_step),
+                      Patterns::Double(1e-6, 1),
+                      "First load step, as a fraction of the stage [-]. "
+                      "Rounded down to 1/n.");
+    prm.declare_entry("Minimum step",
+                      short_number(minimum_step),
+                      Patterns::Double(1e-9, 1),
+                      "The stage is given up when a step would have to be "
+                      "smaller than this fraction of it [-].");
+    prm.declare_entry("Maximum step",
+                      short_number(maximum_step),
+                      Patterns::Double(1e-6, 1),
+                      "Longest load step, as a fraction of the stage [-]. "
+                      "Steps grow by doubling.");
+    prm.declare_entry("Target iterations",
+                      std::to_string(target_iterations),
+                      Patterns::Integer(1, 1000),
+                      "The step may grow after a step of at most this many "
+                      "Newton iterations [-].");
+  }
+
+
+
+  void
+  StepParameters::parse_parameters(dealii::ParameterHandler &prm,
+                                   const std::string        &place)
+  {
+    initial_step      = prm.get_double("Initial step");
+    minimum_step      = prm.get_double("Minimum step");
+    maximum_step      = prm.get_double("Maximum step");
+    target_iterations = prm.get_integer("Target iterations");
+
+    if (initial_step > maximum_step)
+      throw InputError("Initial step is " + short_number(initial_step) +
+                       "; it must not exceed the Maximum step " +
+                       short_number(maximum_step) + " (" + place + ").");
+    if (minimum_step > initial_step)
+      throw InputError("Minimum step is " + short_number(minimum_step) +
+                       "; it must not exceed the Initial step " +
+                       short_number(initial_step) + " (" + place + ").");
+  }
+
+
+
+  StepControl::StepControl(const StepParameters &given,
+                           const std::string    &stage_name)
+    : parameters(given)
+    , name(stage_name)
+  {
+    AssertThrow(0 < parameters.minimum_step &&
+                  parameters.minimum_step <= parameters.initial_step &&
+                  parameters.initial_step <= parameters.maximum_step &&
+                  parameters.maximum_step <= 1,
+                dealii::ExcMessage("Steps must satisfy 0 < minimum <= initial "
+                                   "<= maximum <= 1."));
+    n_ticks = std::ceil(1 / parameters.initial_step - tolerance);
+    // Ticks are as fine as the minimum step lets cuts go.
+    while (1. / (2 * n_ticks) >= parameters.minimum_step * (1 - tolerance))
+      {
+        n_ticks *= 2;
+        ++step_level;
+      }
+  }
+
+
+
+  unsigned int
+  StepControl::trial_level() const
+  {
+    unsigned int level = step_level;
+    while (position + (std::int64_t(1) << level) > n_ticks)
+      --level;
+    return level;
+  }
+
+
+
+  double
+  StepControl::trial() const
+  {
+    Assert(!finished(), dealii::ExcMessage("The stage is finished."));
+    return static_cast<double>(position + (std::int64_t(1) << trial_level())) /
+           n_ticks;
+  }
+
+
+
+  void
+  StepControl::accept(const unsigned int newton_iterations)
+  {
+    Assert(!finished(), dealii::ExcMessage("The stage is finished."));
+    position += std::int64_t(1) << trial_level();
+    ++n_accepted_;
+
+    const std::int64_t longer = std::int64_t(1) << (step_level + 1);
+    if (newton_iterations <= parameters.target_iterations &&
+        position % longer == 0 && position + longer <= n_ticks &&
+        static_cast<double>(longer) / n_ticks <=
+          parameters.maximum_step * (1 + tolerance))
+      ++step_level;
+  }
+
+
+
+  void
+  StepControl::reject(const std::string &reason)
+  {
+    Assert(!finished(), dealii::ExcMessage("The stage is finished."));
+    ++n_cuts_;
+    const unsigned int level = trial_level();
+    if (level == 0)
+      {
+        // "inverted cell: cell 7 of bundle 1" has its name before the colon.
+        const std::string  short_reason = reason.substr(0, reason.find(':'));
+        std::ostringstream message;
+        message << (name.empty() ? std::string("The stage") : "Stage " + name)
+                << " was given up at load factor " << load_factor()
+                << ": the step " << step() << " failed (" << reason
+                << ") and half of it is below the Minimum step "
+                << parameters.minimum_step << "; " << n_cuts_
+                << (n_cuts_ == 1 ? " failed step, " : " failed steps, ")
+                << n_accepted_
+                << " accepted. What to try: " << hint(short_reason) << ".";
+        throw StageFailed(
+          message.str(), short_reason, name, load_factor(), n_cuts_);
+      }
+    step_level = level - 1;
+  }
+
+
+
+  bool
+  StepControl::finished() const
+  {
+    return position == n_ticks;
+  }
+
+
+
+  double
+  StepControl::load_factor() const
+  {
+    return static_cast<double>(position) / n_ticks;
+  }
+
+
+
+  double
+  StepControl::step() const
+  {
+    return static_cast<double>(std::int64_t(1) << trial_level()) / n_ticks;
+  }
+
+
+
+  unsigned int
+  StepControl::n_accepted() const
+  {
+    return n_accepted_;
+  }
+
+
+
+  unsigned int
+  StepControl::n_cuts() const
+  {
+    return n_cuts_;
+  }
+} // namespace NPT

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Table and pictures of stability maps.
+
+#include <npt_dealii/base/short_number.h>
+#include <npt_dealii/io/table_file.h>
+#include <npt_dealii/problems/parameter_study/stability_map.h>
+#include <npt_dealii/problems/parameter_study/study_plots.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <ostream>
+
+namespace NPT
+{
+  namespace
+  {
+    const std::string done      = "done, no cuts";
+    const std::string done_cuts = "done, with cuts";
+
+    std::string
+    outcome(const RunSummary &result)
+    {
+      if (result.status == "done")
+        return result.cuts == 0 ? done : done_cuts;
+      return result.reason;
+    }
+
+    // Success is blue, failures have the warm colors.
+    std::string
+    outcome_color(const std::string &name)
+    {
+      // Reasons have the same color in all maps.
+      static const std::map<std::string, std::string> colors = {
+        {done, "#9ecae1"},
+        {done_cuts, "#3182bd"},
+        {"iteration limit", "#fdae6b"},
+        {"line search failed", "#d55e00"},
+        {"loss of ellipticity", "#cc79a7"},
+        {"active set cycling", "#f0e442"},
+        {"inverted cell", "#a50f15"},
+        {"projection lost", "#8c6d31"},
+        {"augmentation limit", "#74c476"},
+        {"diverged", "#7570b3"},
+        {"stagnated", "#e6ab02"},
+        {"time limit", "#636363"}};
+      const auto known = colors.find(name);
+      return known == colors.end() ? "#000000" : known->second;
+    }
+
+    std::string
+    cell_text(const RunSummary &result, const std::string &last_stage)
+    {
+      if (result.status == "done")
+        return "";
+      if (result.stage.empty())
+        return "start";
+      if (result.stage != last_stage)
+        return result.stage;
+      return short_number(std::floor(100 * result.load_factor + 1e-9)) + "%";
+    }
+
+    void
+    write_axes(std::ostream &out, const MapAxis &x_axis, const MapAxis &y_axis)
+    {
+      const auto tics = [](const MapAxis &axis) {
+        std::string text = "(";
+        for (std::size_t i = 0; i < axis.values.size(); ++i)
+          text += (i == 0 ? "" : ", ") + gnuplot_text(axis.values[i]) + " " +
+                  std::to_string(i);
+        return text + ")";
+      };
+      out << "  unset grid; set border 15; set tics scale 0\n"
+          << "  set xrange [-0.5:" << x_axis.values.size() - 0.5 << "]\n"
+          << "  set yrange [-0.5:" << y_axis.values.size() - 0.5 << "]\n"
+          << "  set xtics " << tics(x_axis) << "\n"
+          << "  set ytics " << tics(y_axis) << "\n"
+          << "  set xlabel " << gnuplot_text(x_axis.name) << " noenhanced\n"
+          << "  set ylabel " << gnuplot_text(y_axis.name) << " noenhanced\n"
+          << "  set style fill solid border rgb 'white'\n";
+    }
+  } // namespace
+
+
+
+  std::string
+  write_stability_map(const std::string              &directory,
+                      const MapAxis                  &x_axis,
+                      const MapAxis                  &y_axis,
+                      const std::vector<std::string> &panels,
+                      const std::vector<MapCell>     &cells,
+                      const std::string              &last_stage,
+                      const std::string              &title)
+  {
+    std::vector<std::string> outcomes = {done, done_cuts};
+    for (const MapCell &cell : cells)
+      if (std::find(outcomes.begin(), outcomes.end(), outcome(cell.result)) ==
+          outcomes.end())
+        outcomes.push_back(outcome(cell.result));
+
+    double most_iterations = 1, most_cuts = 1;
+    {
+      TableWriter table(directory + "/map.csv",
+                        {"panel",
+                         "x",
+                         "y",
+                         "color",
+                         "iterations_per_step",
+                         "cuts",
+                         "text",
+                         "load_factor",
+                         "newton_iterations",
+                         "cpu_seconds",
+                         "stage",
+                         "outcome",
+                         "panel_name",
+                         x_axis.name,
+                         y_axis.name,
+                         "case"},
+                        {"One row per cell of the maps; panel, x, y and color "
+                         "are the numbers by which they are drawn. Failed "
+                         "cases have no iterations and cuts here."});
+      for (const MapCell &cell : cells)
+        {
+          const RunSummary &r       = cell.result;
+          const bool        is_done = r.status == "done";
+          const double      nan     = std::numeric_limits<double>::quiet_NaN();
+          const double      iterations =
+            is_done && r.steps > 0 ?
+                   static_cast<double>(r.newton_iterations) / r.steps :
+                   nan;
+          if (is_done)
+            {
+              most_iterations = std::max(most_iterations, iterations);
+              most_cuts       = std::max<double>(most_cuts, r.cuts);
+            }
+          const std::string text = cell_text(r, last_stage);
+          table.add_row(
+            {cell.panel,
+             cell.x,
+             cell.y,
+             static_cast<unsigned int>(
+               std::find(outcomes.begin(), outcomes.end(), outcome(r)) -
+               outcomes.begin()),
+             iterations,
+             is_done ? static_cast<double>(r.cuts) : nan,
+             text.empty() ? std::string(" ") : text,
+             r.load_factor,
+             r.newton_iterations,
+             r.cpu_seconds,
+             r.stage,
+             outcome(r),
+             panels[cell.panel],
+             x_axis.values[cell.x],
+             y_axis.values[cell.y],
+             cell.folder});
+        }
+    }
+
+    const unsigned int n_columns = panels.size() <= 3 ? panels.size() :
+                                   panels.size() == 4 ? 2 :
+                                                        4,
+                       n_rows    = (panels.size() + n_columns - 1) / n_columns;
+    std::size_t longest_title    = 0;
+    for (const std::string &panel : panels)
+      longest_title = std::max(longest_title, panel.size());
+    const unsigned int width = std::max<std::size_t>(
+      {400, 150 + 62 * x_axis.values.size(), 40 + 8 * longest_title});
+    const unsigned int height = 170 + 40 * y_axis.values.size();
+    const std::string  box = ":(column('x')-0.5):(column('x')+0.5):(column('y')"
+                             "-0.5):(column('y')+0.5)";
+    const auto         in_panel = [](const unsigned int p) {
+      return "(column('panel') == " + std::to_string(p) +
+             " ? column('x') : NaN)";
+    };
+
+    const unsigned int n_legend_columns = std::max(1u, n_columns * width / 190),
+                       n_legend_rows =
+                         (outcomes.size() + n_legend_columns - 1) /
+                         n_legend_columns;
+    constexpr unsigned int legend_row   = 20; // pixels
+    const unsigned int     panel_height = height + legend_row * n_legend_rows;
+    std::string            warning      = draw_picture(
+      directory,
+      "map_outcome",
+      title,
+      n_rows,
+      n_columns,
+      width,
+      panel_height,
+      [&](std::ostream &out) {
+        write_axes(out, x_axis, y_axis);
+        // One legend under all panels, drawn with the last.
+        out << "  set bmargin " << 4 + n_legend_rows << "\n  unset key\n";
+        for (unsigned int p = 0; p < panels.size(); ++p)
+          {
+            if (p + 1 == panels.size())
+              for (unsigned int o = 0; o < outcomes.size(); ++o)
+                {
+                  const double x = (o % n_legend_columns + 0.1) /
+                                   n_legend_columns,
+                               y =
+                                 (n_legend_rows - o / n_legend_columns - 0.4) *
+                                 legend_row / (n_rows * panel_height + 30.);
+                  out << "  set object rectangle center screen " << x
+                      << ", screen " << y
+                      << " size screen 0.012, screen 0.016 fillstyle solid "
+                                         "noborder fillcolor rgb '"
+                      << outcome_color(outcomes[o]) << "'\n  set label "
+                      << gnuplot_text(outcomes[o]) << " at screen " << x + 0.012
+                      << ", screen " << y << " noenhanced\n";
+                }
+            out << "  set title " << gnuplot_text(panels[p]) << " noenhanced\n"
+                << "  plot ";
+            for (unsigned int o = 0; o < outcomes.size(); ++o)
+              out << "'map.csv' using (column('panel') == " << p
+                  << " && column('color') == " << o
+                  << " ? column('x') : NaN):(column('y'))" << box
+                  << " with boxxyerror linecolor rgb '"
+                  << outcome_color(outcomes[o]) << "' notitle, \\\n    ";
+            out << "'map.csv' using " << in_panel(p)
+                << ":(column('y')):(strcol('text')) with labels font ',9' "
+                                   "noenhanced notitle\n";
+          }
+        // The next terminal draws the same panels again.
+        out << "  unset object\n  unset label\n";
+      });
+
+    const auto draw_numbers = [&](const std::string &name,
+                                  const std::string &column,
+                                  const std::string &meaning,
+                                  const double       most) {
+      const std::string message = draw_picture(
+        directory,
+        name,
+        title,
+        n_rows,
+        n_columns,
+        width + 60,
+        height,
+        [&](std::ostream &out) {
+          write_axes(out, x_axis, y_axis);
+          out << "  unset key\n"
+              << "  set palette defined (0 '#f7fbff', 0.4 '#9ecae1', 0.7 "
+                 "'#3182bd', 1 '#08306b')\n"
+              << "  set cbrange [0:" << most << "]\n  set cblabel "
+              << gnuplot_text(meaning) << "\n";
+          for (unsigned int p = 0; p < panels.size(); ++p)
+            out << "  set title " << gnuplot_text(panels[p])
+                << " noenhanced\n  plot 'map.csv' using (column('panel') == "
+                << p << " && column('color') > 1 ? column('x') : NaN):(column("
+                << "'y'))" << box
+                << " with boxxyerror linecolor rgb '#d9d9d9', \\\n    "
+                   "'map.csv' using (column('panel') == "
+                << p << " && column('color') < 2 ? column('x') : NaN):(column("
+                << "'y'))" << box << ":(column('" << column
+                << "')) with boxxyerror linecolor palette, \\\n    'map.csv' "
+                   "using "
+                << in_panel(p) << ":(column('y')):(column('color') < 2 ? "
+                << "sprintf('%.3g', column('" << column
+                << "')) : 'failed'):(column('" << column << "') > "
+                << 0.6 * most
+                << " ? 0xffffff : 0x000000) with labels font ',9' textcolor "
+                   "rgb variable\n";
+        });
+      if (warning.empty())
+        warning = message;
+    };
+    draw_numbers("map_iterations",
+                 "iterations_per_step",
+                 "Newton iterations per step",
+                 most_iterations);
+    draw_numbers("map_cuts", "cuts", "failed steps", most_cuts);
+    return warning;
+  }
+} // namespace NPT

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Set-up and assembly of deformable bodies.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/iga/iga_values.h>
+#include <npt_dealii/solid/deformable_bodies.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace NPT
+{
+  using dealii::Tensor;
+  using dealii::Vector;
+
+  DeformableBodies::DeformableBodies(std::vector<DeformablePart> parts,
+                                     const Basis                 basis,
+                                     const unsigned int          n_gauss_points,
+                                     const SymmetryWeight &symmetry_weight)
+  {
+    std::vector<NURBSPatch<3>> patches;
+    std::vector<unsigned int>  bodies;
+    for (DeformablePart &part : parts)
+      {
+        patches.push_back(part.patch);
+        bodies.push_back(part.body);
+        laws_.push_back(std::move(part.law));
+        names_.push_back(part.name);
+      }
+    space_ = std::make_unique<IGASpace<3>>(patches, bodies, basis);
+
+    // Total Lagrangian: gradients in the reference configuration are computed
+    // once for all.
+    IGAValues<3> values(*space_, n_gauss_points);
+    for (unsigned int c = 0; c < space_->cells().size(); ++c)
+      {
+        values.reinit(c);
+        CellGradients cell;
+        cell.n_functions = values.dofs_per_cell();
+        cell.n_points    = values.n_quadrature_points();
+        dealii::Point<3> center;
+        double           volume = 0;
+        for (unsigned int q = 0; q < cell.n_points; ++q)
+          {
+            cell.jxw.push_back(values.JxW(q));
+            for (unsigned int A = 0; A < cell.n_functions; ++A)
+              cell.values.push_back(values.shape_value(A, q));
+            for (unsigned int J = 0; J < 3; ++J)
+              for (unsigned int A = 0; A < cell.n_functions; ++A)
+                cell.gradients.push_back(values.shape_grad(A, q)[J]);
+            center += values.quadrature_point(q) * values.JxW(q);
+            volume += values.JxW(q);
+          }
+
+        std::vector<unsigned int> unknowns;
+        for (unsigned int i = 0; i < 3; ++i)
+          for (const unsigned int A : values.control_points())
+            unknowns.push_back(3 * A + i);
+        cell_unknowns_.push_back(unknowns);
+        symmetry_weight_.push_back(
+          symmetry_weight ? symmetry_weight(space_->cells()[c].patch,
+                                            dealii::Point<3>(center / volume)) :
+                            1);
+        gradients_.push_back(std::move(cell));
+      }
+  }
+
+
+
+  void
+  DeformableBodies::cell_displacement(const unsigned int    cell,
+                                      const Vector<double> &u,
+                                      std::vector<double>  &w) const
+  {
+    w.resize(cell_unknowns_[cell].size());
+    for (unsigned int a = 0; a < w.size(); ++a)
+      w[a] = u[cell_unknowns_[cell][a]];
+  }
+
+
+
+  void
+  DeformableBodies::add_groups(ConstrainedSystem &system)
+  {
+    groups_.assign(gradients_.size(), dealii::numbers::invalid_unsigned_int);
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      if (symmetry_weight_[c] > 0)
+        groups_[c] = system.add_group(cell_unknowns_[c]);
+  }
+
+
+
+  void
+  DeformableBodies::report_inverted_cell(const unsigned int cell) const
+  {
+    throw InvertedCell("cell " + std::to_string(cell) + " of " +
+                       names_[space_->cells()[cell].patch]);
+  }
+
+
+
+  double
+  DeformableBodies::add_residual(const Vector<double> &u,
+                                 Vector<double>       &residual)
+  {
+    std::vector<double> w, f;
+    double              square_of_forces = 0;
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      {
+        if (symmetry_weight_[c] == 0)
+          continue;
+        cell_displacement(c, u, w);
+        try
+          {
+            kernel_.evaluate(
+              *laws_[space_->cells()[c].patch], gradients_[c], w, f, nullptr);
+          }
+        catch (const InvertedCell &)
+          {
+            report_inverted_cell(c);
+          }
+        for (unsigned int a = 0; a < f.size(); ++a)
+          {
+            residual[cell_unknowns_[c][a]] += symmetry_weight_[c] * f[a];
+            square_of_forces += symmetry_weight_[c] * f[a] * f[a];
+          }
+      }
+    return std::sqrt(square_of_forces);
+  }
+
+
+
+  void
+  DeformableBodies::add_tangent(const Vector<double> &u,
+                                ConstrainedSystem    &system)
+  {
+    AssertDimension(groups_.size(), gradients_.size());
+    std::vector<double> w, f, K;
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      {
+        if (symmetry_weight_[c] == 0)
+          continue;
+        cell_displacement(c, u, w);
+        try
+          {
+            kernel_.evaluate(
+              *laws_[space_->cells()[c].patch], gradients_[c], w, f, &K);
+          }
+        catch (const InvertedCell &)
+          {
+            report_inverted_cell(c);
+          }
+        system.add(groups_[c], K, symmetry_weight_[c]);
+      }
+  }
+
+
+
+  double
+  DeformableBodies::stored_energy(const Vector<double> &u) const
+  {
+    double              sum = 0;
+    std::vector<double> w;
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      if (symmetry_weight_[c] > 0)
+        {
+          cell_displacement(c, u, w);
+          sum += symmetry_weight_[c] *
+                 SolidKernel::energy(*laws_[space_->cells()[c].patch],
+                                     gradients_[c],
+                                     w);
+        }
+    return sum;
+  }
+
+
+
+  void
+  DeformableBodies::for_each_point(
+    const Vector<double>                             &u,
+    const std::function<void(const MaterialPoint &)> &visit) const
+  {
+    std::vector<double> w;
+    double              F[9], P[9];
+    MaterialPoint       point;
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      {
+        if (symmetry_weight_[c] == 0)
+          continue;
+        const CellGradients &cell = gradients_[c];
+        cell_displacement(c, u, w);
+        point.cell = c;
+        for (unsigned int q = 0; q < cell.n_points; ++q)
+          {
+            SolidKernel::deformation_gradient(cell, w, q, F);
+            laws_[space_->cells()[c].patch]->stress(F, P);
+            point.q  = q;
+            point.dV = symmetry_weight_[c] * cell.jxw[q];
+            for (unsigned int e = 0; e < 9; ++e)
+              {
+                point.F[e / 3][e % 3] = F[e];
+                point.P[e / 3][e % 3] = P[e];
+              }
+            visit(point);
+          }
+      }
+  }
+
+
+
+  DeformableBodies::Ellipticity
+  DeformableBodies::lowest_acoustic_eigenvalue(const Vector<double> &u) const
+  {
+    Ellipticity  result;
+    unsigned int cell = 0, q = 0;
+    result.lowest.value = std::numeric_limits<double>::max();
+    for_each_point(u, [&](const MaterialPoint &point) {
+      const unsigned int patch = space_->cells()[point.cell].patch;
+      const auto         lowest =
+        NPT::lowest_acoustic_eigenvalue<3>(*laws_[patch], point.F);
+      if (lowest.value < result.lowest.value)
+        {
+          result.lowest = lowest;
+          result.patch  = patch;
+          cell          = point.cell;
+          q             = point.q;
+        }
+    });
+    const auto           A         = space_->control_points_of_cell(cell);
+    const CellGradients &gradients = gradients_[cell];
+    for (unsigned int a = 0; a < gradients.n_functions; ++a)
+      result.position += gradients.values[q * gradients.n_functions + a] *
+                         space_->control_points()[A[a]];
+    return result;
+  }
+
+
+
+  std::string
+  DeformableBodies::describe(const Ellipticity &e) const
+  {
+    std::ostringstream text;
+    text.precision(3);
+    const auto write = [&text](const auto &v) {
+      text << '(' << v[0] << ", " << v[1] << ", " << v[2] << ')';
+    };
+    text << names_[e.patch] << " at ";
+    write(e.position);
+    text << " mm, lowest acoustic eigenvalue " << e.lowest.value
+         << " MPa for the plane with normal ";
+    write(e.lowest.normal);
+    text << " and motion along ";
+    write(e.lowest.polarization);
+    return text.str();
+  }
+
+
+
+  double
+  DeformableBodies::interpolate(const MaterialPoint       &point,
+                                const std::vector<double> &coefficients) const
+  {
+    const CellGradients &cell = gradients_[point.cell];
+    double               sum  = 0;
+    // The first third of the unknowns, those of component 0, are 3 A.
+    for (unsigned int a = 0; a < cell.n_functions; ++a)
+      sum += cell.values[point.q * cell.n_functions + a] *
+             coefficients[cell_unknowns_[point.cell][a] / 3];
+    return sum;
+  }
+
+
+
+  std::vector<double>
+  DeformableBodies::integrals_of_functions(const bool by_symmetry_weight) const
+  {
+    std::vector<double> integrals(space_->n_control_points(), 0.);
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      {
+        const CellGradients &cell = gradients_[c];
+        const double factor = by_symmetry_weight ? symmetry_weight_[c] : 1.;
+        for (unsigned int q = 0; q < cell.n_points; ++q)
+          for (unsigned int a = 0; a < cell.n_functions; ++a)
+            integrals[cell_unknowns_[c][a] / 3] +=
+              factor * cell.values[q * cell.n_functions + a] * cell.jxw[q];
+      }
+    return integrals;
+  }
+} // namespace NPT

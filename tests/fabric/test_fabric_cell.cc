@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Claims about the cell of the fabric: its bundles have the shape that the
+// parameters say, and its operations are symmetries of structure and modes.
+
+#include <npt_dealii/fabric/fabric_cell.h>
+#include <npt_dealii/iga/iga_values.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <tuple>
+
+using namespace NPT;
+using dealii::Point;
+using dealii::SymmetricTensor;
+using dealii::Tensor;
+
+namespace
+{
+  MeshParameters
+  small_mesh(const unsigned int along, const unsigned int across)
+  {
+    MeshParameters mesh;
+    mesh.elements_along  = along;
+    mesh.elements_across = across;
+    return mesh;
+  }
+
+  CellParameters
+  odd_cell()
+  {
+    CellParameters cell;
+    cell.crossing_spacing = 3.7;
+    cell.bundle_width     = 3.1;
+    cell.bundle_thickness = 0.9;
+    cell.blunt_tip        = 0.17;
+    return cell;
+  }
+
+  const std::vector<std::pair<std::string, std::string>> cells_of_weaves = {
+    {"sub-unit cell", "plain"},
+    {"two-crossing cell", "plain"},
+    {"primitive cell", "plain"},
+    {"unit cell", "plain"},
+    {"sub-unit cell", "2/2 twill"},
+    {"primitive cell", "2/2 twill"},
+    {"unit cell", "2/2 twill"},
+    {"primitive cell", "5-harness satin"},
+    {"unit cell", "5-harness satin"},
+    {"primitive cell", "ouu/uou/uuo"},
+    {"primitive cell", "oouuo/uouoo/ouoou"}};
+
+  std::vector<NURBSPatch<3>>
+  patches(const FabricCell &cell)
+  {
+    std::vector<NURBSPatch<3>> result;
+    for (const FiberBundle &bundle : cell.bundles())
+      result.push_back(bundle.patch);
+    return result;
+  }
+
+  /// Strain of the jump seen from the reference side, d(Y) = Q w_m(gY) -
+  /// w_m(Y), for one unit of H_n. w_m is quadratic, so central differences are
+  /// exact.
+  SymmetricTensor<2, 3>
+  strain_of_jump(const SymmetryOperation &g,
+                 const unsigned int       n,
+                 const Point<3>          &Y)
+  {
+    const auto jump = [&](const Point<3> &X) {
+      Tensor<1, 3> d = macroscopic_displacement(n, g(X));
+      for (unsigned int i = 0; i < 3; ++i)
+        d[i] *= g.Q[i];
+      return d - macroscopic_displacement(n, X);
+    };
+    Tensor<2, 3> gradient;
+    for (unsigned int j = 0; j < 3; ++j)
+      {
+        Tensor<1, 3> h;
+        h[j]                          = 0.5;
+        const Tensor<1, 3> derivative = jump(Y + h) - jump(Y - h);
+        for (unsigned int i = 0; i < 3; ++i)
+          gradient[i][j] = derivative[i];
+      }
+    return symmetrize(gradient);
+  }
+} // namespace
+
+
+
+TEST_CASE("The volume of a lens bundle is its section times its length",
+          "[cell]")
+{
+  for (const CellParameters &parameters : {CellParameters(), odd_cell()})
+    for (const unsigned int degree : {2, 3})
+      for (const Basis basis :
+           {Basis::NURBS, Basis::Bernstein, Basis::Lagrange})
+        {
+          MeshParameters mesh = small_mesh(3, 4);
+          mesh.degree         = degree;
+          mesh.basis          = basis;
+          const FabricCell  cell(parameters, mesh);
+          const IGASpace<3> space(patches(cell), {}, basis);
+
+          // int 2 h(y) dy, h = e + (t/2 - e)(1 - (2y/w)^2).
+          const double w       = parameters.bundle_width.warp;
+          const double t       = parameters.bundle_thickness.warp;
+          const double e       = parameters.blunt_tip * t;
+          const double section = 2 * e * w + 4. / 3. * (t / 2 - e) * w;
+
+          std::vector<double> volume(space.n_patches(), 0.);
+          IGAValues<3>        values(space);
+          for (unsigned int c = 0; c < space.cells().size(); ++c)
+            {
+              values.reinit(c);
+              for (unsigned int q = 0; q < values.n_quadrature_points(); ++q)
+                volume[space.cells()[c].patch] += values.JxW(q);
+            }
+          for (const double V : volume)
+            CHECK(V == Approx(section * parameters.crossing_spacing.warp)
+                         .epsilon(1e-12));
+        }
+}
+
+
+
+TEST_CASE("The surfaces of a bundle follow the lens", "[cell]")
+{
+  const CellParameters parameters = odd_cell();
+  const FabricCell     cell(parameters, small_mesh(2, 5));
+  const double e = parameters.blunt_tip * parameters.bundle_thickness.warp;
+  for (const FiberBundle &bundle : cell.bundles())
+    for (const double u : {0., 0.3, 1.})
+      for (const double v : {0., 0.25, 0.61, 1.})
+        for (const double side : {0., 1.})
+          {
+            const Point<3> X    = bundle.patch.value(Point<3>(u, v, side));
+            const bool     warp = bundle.family == FiberBundle::Family::warp;
+            const double   y    = warp ? X[1] : X[0];
+            const double   h =
+              e + (parameters.bundle_thickness.warp / 2 - e) *
+                    (1 - std::pow(2 * y / parameters.bundle_width.warp, 2));
+            CHECK(X[2] == Approx(side > 0 ? h : -h).margin(1e-14));
+            CHECK((warp ? X[0] : X[1]) ==
+                  Approx((u - 0.5) * parameters.crossing_spacing.warp));
+          }
+}
+
+
+
+TEST_CASE("Warp and weft are one bundle, turned by 90 degrees", "[cell]")
+{
+  const FabricCell cell(odd_cell(), small_mesh(3, 4));
+  REQUIRE(cell.bundles().size() == 2);
+  const FiberBundle &warp = cell.bundles()[0], &weft = cell.bundles()[1];
+  CHECK(warp.family == FiberBundle::Family::warp);
+  CHECK(weft.family == FiberBundle::Family::weft);
+  CHECK(warp.direction[0] == 1.);
+  CHECK(weft.direction[1] == 1.);
+  for (unsigned int l = 0; l < warp.patch.n_control_points(); ++l)
+    {
+      const Point<3> &P = warp.patch.control_points()[l];
+      CHECK(weft.patch.control_points()[l].distance(
+              Point<3>(-P[1], P[0], P[2])) < 1e-14);
+    }
+  CHECK(cell.area() == Approx(3.7 * 3.7));
+}
+
+
+
+TEST_CASE("Every operation maps control points inside the cell onto control "
+          "points, and the end faces onto each other",
+          "[cell]")
+{
+  for (const auto &[type, weave] : cells_of_weaves)
+    for (const unsigned int across : {3, 4})
+      {
+        CellParameters parameters   = odd_cell();
+        parameters.type             = type;
+        parameters.weave            = weave;
+        parameters.crossing_spacing = WarpWeft(3.7, 3.3);
+        parameters.bundle_width     = WarpWeft(3.1, 2.9);
+        const FabricCell cell(parameters, small_mesh(3, across));
+        const double     L         = parameters.crossing_spacing.warp;
+        unsigned int     n_related = 0;
+        for (const SymmetryOperation &g : cell.operations())
+          for (const FiberBundle &bundle : cell.bundles())
+            for (const Point<3> &P : bundle.patch.control_points())
+              {
+                const Point<3> image = g(P);
+                for (const FiberBundle &other : cell.bundles())
+                  {
+                    if (other.family != bundle.family)
+                      continue;
+                    const auto &points = other.patch.control_points();
+                    bool        found  = false;
+                    for (const Point<3> &Q : points)
+                      found = found || Q.distance(image) < 1e-12 * L;
+                    n_related += found;
+                    // A point that lands inside the bundle must hit a control
+                    // point, or the operation could not be a constraint.
+                    const Point<3> &low = points.front(), &high = points.back();
+                    bool            inside = true;
+                    for (unsigned int i = 0; i < 2; ++i)
+                      inside =
+                        inside &&
+                        image[i] > std::min(low[i], high[i]) - 1e-9 * L &&
+                        image[i] < std::max(low[i], high[i]) + 1e-9 * L;
+                    if (inside)
+                      CHECK(found);
+                  }
+              }
+        CHECK(n_related > 0);
+      }
+}
+
+
+
+TEST_CASE("Each cell stands for as many crossings as its area says", "[cell]")
+{
+  // A contact pair touches one crossing per strand; images add pieces of the
+  // same strands only.
+  for (const auto &[type, weave] : cells_of_weaves)
+    {
+      CellParameters parameters   = odd_cell();
+      parameters.type             = type;
+      parameters.weave            = weave;
+      parameters.crossing_spacing = WarpWeft(3.7, 3.3);
+      parameters.bundle_width     = WarpWeft(3.1, 2.9);
+      const FabricCell cell(parameters, small_mesh(1, 1));
+      const double     L         = std::sqrt(3.7 * 3.3);
+      unsigned int     crossings = 0;
+      for (const ContactCandidates &pair : cell.contacts())
+        for (const SurfaceImage &image : pair.primaries)
+          crossings += image.period == 0;
+      CHECK(crossings == Approx(cell.area() / (L * L)));
+    }
+}
+
+
+
+TEST_CASE("Shifts of the table make the cell as small as the weave allows",
+          "[cell]")
+{
+  // Crossings and bundles of each cell, counted by hand on the table.
+  const std::vector<std::tuple<std::string, std::string, double, unsigned int>>
+    cases = {{"sub-unit cell", "plain", 1, 2},
+             {"two-crossing cell", "plain", 2, 2},
+             {"unit cell", "plain", 4, 4},
+             {"sub-unit cell", "2/2 twill", 2, 2},
+             {"primitive cell", "2/2 twill", 4, 2},
+             {"unit cell", "2/2 twill", 16, 8},
+             {"primitive cell", "5-harness satin", 5, 2},
+             {"unit cell", "5-harness satin", 25, 10},
+             {"primitive cell", "oouuo/uouoo/ouoou", 15, 8}};
+  for (const auto &[type, weave, crossings, n_bundles] : cases)
+    {
+      CellParameters parameters;
+      parameters.type  = type;
+      parameters.weave = weave;
+      const FabricCell cell(parameters, small_mesh(1, 1));
+      INFO(type << ", " << weave);
+      CHECK(cell.area() == Approx(25. * crossings));
+      CHECK(cell.bundles().size() == n_bundles);
+      // Bundles of the smallest cells lie on 2-fold axes: nothing floats.
+      if (n_bundles == 2)
+        CHECK_FALSE(cell.has_floating_bundles());
+    }
+  // The smallest type, by the modes of the load programme.
+  CellParameters parameters;
+  const auto smallest = [&](const std::string &weave, const unsigned int mode) {
+    parameters.weave = weave;
+    return FabricCell::smallest_type(parameters, {mode}).first;
+  };
+  CHECK(smallest("plain", 2) == "sub-unit cell");
+  CHECK(smallest("plain", 3) == "two-crossing cell");
+  CHECK(smallest("2/2 twill", 0) == "sub-unit cell");
+  CHECK(smallest("2/2 twill", 5) == "primitive cell");
+  CHECK(smallest("5-harness satin", 0) == "primitive cell");
+}
+
+
+
+TEST_CASE("A mode is kept exactly if its jump is a rigid motion", "[cell]")
+{
+  // The operations of the table in doc/theory.md; L = 3.7.
+  const double                         L          = 3.7;
+  const std::vector<SymmetryOperation> operations = {
+    {"glide along Y1", Tensor<1, 3>({1., 1., -1.}), Tensor<1, 3>({L, 0., 0.})},
+    {"glide along Y2", Tensor<1, 3>({1., 1., -1.}), Tensor<1, 3>({0., L, 0.})},
+    {"2-fold axis Y3", Tensor<1, 3>({-1., -1., 1.}), Tensor<1, 3>()},
+    {"2-fold axis Y2", Tensor<1, 3>({-1., 1., -1.}), Tensor<1, 3>({L, 0., 0.})},
+    {"screw along Y1", Tensor<1, 3>({1., -1., -1.}), Tensor<1, 3>({L, 0., 0.})},
+    {"translation", Tensor<1, 3>({1., 1., 1.}), Tensor<1, 3>({L, -L, 0.})}};
+  // H1 .. H6: kept or flipped.
+  const std::vector<std::string> table = {
+    "kkkfff", "kkkfff", "kkkkkk", "kkfffk", "kkfffk", "kkkkkk"};
+  const Point<3> Y(0.3, -0.8, 0.45);
+  for (unsigned int o = 0; o < operations.size(); ++o)
+    for (unsigned int n = 0; n < 6; ++n)
+      {
+        INFO(operations[o].name << ", H" << n + 1);
+        CHECK(operations[o].keeps_mode(n) == (table[o][n] == 'k'));
+        const double strain = strain_of_jump(operations[o], n, Y).norm();
+        if (table[o][n] == 'k')
+          CHECK(strain < 1e-13);
+        else
+          CHECK(strain > 0.1);
+      }
+}
+
+
+
+TEST_CASE("The sub-unit cell represents stretch and shear only", "[cell]")
+{
+  for (const bool two_fold_axis : {true, false})
+    {
+      CellParameters parameters;
+      parameters.two_fold_axis = two_fold_axis;
+      const FabricCell cell(parameters, small_mesh(2, 2));
+      for (unsigned int n = 0; n < 6; ++n)
+        {
+          CHECK(cell.represents_mode(n) == (n < 3));
+          CHECK(cell.obstacle(n) == (n < 3 ? "" : "glide plane along Y1"));
+        }
+    }
+}
+
+
+
+TEST_CASE("Symmetry weights count every point of the cell once", "[cell]")
+{
+  for (const bool two_fold_axis : {true, false})
+    for (const unsigned int along : {4, 5})
+      for (const unsigned int across : {4, 5})
+        {
+          CellParameters parameters = odd_cell();
+          parameters.two_fold_axis  = two_fold_axis;
+          const MeshParameters mesh = small_mesh(along, across);
+          const FabricCell     cell(parameters, mesh);
+
+          unsigned int n_points = 0, sum = 0;
+          for (unsigned int b = 0; b < cell.bundles().size(); ++b)
+            for (const Point<3> &P : cell.bundles()[b].patch.control_points())
+              {
+                const unsigned int own = cell.symmetry_weight(b, P);
+                const unsigned int image =
+                  cell.symmetry_weight(b, Point<3>(-P[0], -P[1], P[2]));
+                CHECK(own + image == 2);
+                sum += own;
+                ++n_points;
+              }
+          CHECK(sum == n_points);
+
+          // The volume of the integrated part, counted with its images.
+          const IGASpace<3> space(patches(cell), {}, mesh.basis);
+          IGAValues<3>      values(space);
+          double            weighted = 0, volume = 0;
+          for (unsigned int c = 0; c < space.cells().size(); ++c)
+            {
+              values.reinit(c);
+              for (unsigned int q = 0; q < values.n_quadrature_points(); ++q)
+                {
+                  volume += values.JxW(q);
+                  weighted += values.JxW(q) *
+                              cell.symmetry_weight(space.cells()[c].patch,
+                                                   values.quadrature_point(q));
+                }
+            }
+          CHECK(weighted == Approx(volume).epsilon(1e-12));
+        }
+}
+
+
+
+TEST_CASE("The macroscopic field has the gradients it is named after", "[cell]")
+{
+  // Strain of H_n at height Z3: stretches and engineering shear, bending
+  // strain Z3 H, torsion like shear; and no transverse shear.
+  const Point<3> Y(0.4, -0.7, 0.3);
+  for (unsigned int n = 0; n < 6; ++n)
+    {
+      SymmetricTensor<2, 3> strain;
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          Tensor<1, 3> h;
+          h[j]                      = 0.5;
+          const Tensor<1, 3> column = macroscopic_displacement(n, Y + h) -
+                                      macroscopic_displacement(n, Y - h);
+          for (unsigned int i = 0; i < 3; ++i)
+            strain[i][j] += (i == j ? 1. : 0.5) * column[i];
+        }
+      const double          factor = n < 3 ? 1. : Y[2];
+      SymmetricTensor<2, 3> expected;
+      if (n % 3 == 2)
+        expected[0][1] = 0.5 * factor;
+      else
+        expected[n % 3][n % 3] = factor;
+      CHECK((strain - expected).norm() < 1e-14);
+    }
+}

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the claims on linear solvers.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/linear_algebra/linear_solver.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+#include "elastic_block.h"
+
+using namespace NPT;
+using dealii::Vector;
+
+namespace
+{
+  LinearSolverParameters
+  type(const std::string &name)
+  {
+    LinearSolverParameters parameters;
+    parameters.type = name;
+    return parameters;
+  }
+
+  Vector<double>
+  some_vector(const unsigned int n)
+  {
+    Vector<double> x(n);
+    for (unsigned int i = 0; i < n; ++i)
+      x[i] = std::sin(1. + i);
+    return x;
+  }
+
+  double
+  relative_residual(const CSRMatrix      &A,
+                    const Vector<double> &x,
+                    const Vector<double> &b)
+  {
+    Vector<double> r;
+    A.vmult(r, x);
+    r -= b;
+    return r.l2_norm() / b.l2_norm();
+  }
+} // namespace
+
+TEST_CASE("Every solver solves unsymmetric elasticity to its tolerance",
+          "[solver]")
+{
+  const auto name =
+    GENERATE(as<std::string>(), "MUMPS", "UMFPACK", "ILU", "ML");
+  const auto [A, modes]   = make_elastic_block({{6, 5, 2}}, 1, 1., 0.3);
+  const Vector<double> x0 = some_vector(A.n());
+  Vector<double>       b, x;
+  A.vmult(b, x0);
+
+  LinearSolver solver(type(name));
+  solver.set_near_null_space(modes, 3);
+  solver.factorize(A);
+  solver.solve(b, x);
+  INFO(name);
+  CHECK(relative_residual(A, x, b) <= 1e-10);
+  CHECK(solver.relative_residual() ==
+        Approx(relative_residual(A, x, b)).margin(1e-14));
+  // Room for a condition number of 1e4.
+  x -= x0;
+  CHECK(x.linfty_norm() < 1e-6);
+  CHECK(solver.n_solves() == 1);
+  CHECK(solver.seconds() > 0);
+}
+
+TEST_CASE("New values of the same pattern reuse the symbolic factorization, a "
+          "new pattern does not",
+          "[solver]")
+{
+  const auto name =
+    GENERATE(as<std::string>(), "MUMPS", "UMFPACK", "ILU", "ML");
+  CSRMatrix    A = make_elastic_block({{4, 4, 2}}, 1, 1., 0.3).matrix;
+  LinearSolver solver(type(name));
+  INFO(name);
+
+  const auto solves = [&](const CSRMatrix &matrix) {
+    const Vector<double> b = some_vector(matrix.n());
+    Vector<double>       x;
+    solver.factorize(matrix);
+    solver.solve(b, x);
+    return relative_residual(matrix, x, b) < 1e-10;
+  };
+
+  CHECK(solves(A));
+  for (unsigned int i = 0; i < A.n(); ++i)
+    A.values[A.position(i, i)] += 0.1 * (1 + i % 3);
+  CHECK(solves(A));
+  CHECK(solver.n_symbolic() == 1);
+  CHECK(solver.n_numeric() == 2);
+
+  // Another size, a matrix that is structurally unsymmetric, the old again.
+  CSRMatrix                     other;
+  std::vector<std::vector<int>> columns(50);
+  for (int i = 0; i < 50; ++i)
+    columns[i] = {i, (i + 1) % 50, (i + 7) % 50};
+  other.set_pattern(columns);
+  for (int i = 0; i < 50; ++i)
+    {
+      other.values[other.position(i, i)]            = 4;
+      other.values[other.position(i, (i + 1) % 50)] = -1;
+      other.values[other.position(i, (i + 7) % 50)] = 0.5;
+    }
+  CHECK(solves(other));
+  CHECK(solves(A));
+  CHECK(solver.n_symbolic() == 3);
+  CHECK(solver.n_numeric() == 4);
+  CHECK(solver.n_solves() == 4);
+}
+
+TEST_CASE("Direct solvers find a body that nothing holds, also if the load is "
+          "in balance",
+          "[solver]")
+{
+  const auto name = GENERATE(as<std::string>(), "MUMPS", "UMFPACK");
+  INFO(name);
+  std::ostringstream noise;
+  auto *const        screen = std::cerr.rdbuf(noise.rdbuf());
+
+  SECTION("free body")
+  {
+    const CSRMatrix A = make_elastic_block({{4, 4, 2}}, 2, 0.).matrix;
+    LinearSolver    solver(type(name));
+    CHECK_THROWS_AS(solver.factorize(A), LinearSolverFailed);
+    CHECK_THROWS_WITH(solver.factorize(A), Catch::Contains("nothing holds"));
+  }
+  SECTION("an unknown without any stiffness, then mended")
+  {
+    CSRMatrix       A    = make_elastic_block({{2, 2, 2}}, 1, 1.).matrix;
+    const CSRMatrix good = A;
+    for (int i = 0; i < static_cast<int>(A.n()); ++i)
+      for (const int k : {A.position(i, 5), A.position(5, i)})
+        if (k >= 0)
+          A.values[k] = 0;
+    LinearSolver   solver(type(name));
+    Vector<double> x;
+    CHECK_THROWS_AS(solver.factorize(A), LinearSolverFailed);
+    solver.factorize(good);
+    solver.solve(some_vector(A.n()), x);
+    CHECK(solver.relative_residual() < 1e-12);
+    CHECK(solver.n_symbolic() == 1);
+  }
+  SECTION("values that are not finite")
+  {
+    CSRMatrix A                = make_elastic_block({{2, 2, 2}}, 1, 1.).matrix;
+    A.values[A.position(3, 3)] = std::nan("");
+    LinearSolver solver(type(name));
+    CHECK_THROWS_AS(solver.factorize(A), LinearSolverFailed);
+  }
+  std::cerr.rdbuf(screen);
+  CHECK(noise.str().empty());
+}
+
+TEST_CASE("A right-hand side that is not finite fails the step", "[solver]")
+{
+  const auto name =
+    GENERATE(as<std::string>(), "MUMPS", "UMFPACK", "ILU", "ML");
+  const CSRMatrix A = make_elastic_block({{2, 2, 2}}, 1, 1.).matrix;
+  LinearSolver    solver(type(name));
+  Vector<double>  x, b = some_vector(A.n());
+  b[3] = std::nan("");
+  solver.factorize(A);
+  CHECK_THROWS_AS(solver.solve(b, x), LinearSolverFailed);
+}
+
+TEST_CASE("A soft foundation is not taken for none", "[solver]")
+{
+  const auto      name = GENERATE(as<std::string>(), "MUMPS", "UMFPACK");
+  const CSRMatrix A    = make_elastic_block({{4, 4, 2}}, 2, 1e-6, 0.3).matrix;
+  LinearSolver    solver(type(name));
+  Vector<double>  x;
+  solver.factorize(A);
+  solver.solve(some_vector(A.n()), x);
+  CHECK(solver.relative_residual() < 1e-8);
+}
+
+TEST_CASE("An iteration that does not converge says so", "[solver]")
+{
+  const auto      name = GENERATE(as<std::string>(), "ILU", "ML");
+  const CSRMatrix A    = make_elastic_block({{8, 8, 2}}, 1, 1e-4, 0.3).matrix;
+  LinearSolverParameters parameters = type(name);
+  parameters.max_iterations         = 2;
+  LinearSolver   solver(parameters);
+  Vector<double> x;
+  solver.factorize(A);
+  CHECK_THROWS_AS(solver.solve(some_vector(A.n()), x), LinearSolverFailed);
+  CHECK_THROWS_WITH(solver.solve(some_vector(A.n()), x),
+                    Catch::Contains("2 iterations"));
+}
+
+TEST_CASE("Rigid-body modes halve the iterations of ML on a soft foundation",
+          "[solver]")
+{
+  const auto [A, modes] = make_elastic_block({{12, 12, 4}}, 1, 1e-4);
+  unsigned int n_iterations[2];
+  for (const bool with_modes : {false, true})
+    {
+      LinearSolver   solver(type("ML"));
+      Vector<double> x;
+      if (with_modes)
+        solver.set_near_null_space(modes, 3);
+      solver.factorize(A);
+      solver.solve(some_vector(A.n()), x);
+      n_iterations[with_modes] = solver.n_iterations();
+    }
+  CAPTURE(n_iterations[0], n_iterations[1]);
+  CHECK(2 * n_iterations[1] <= n_iterations[0]);
+}
+
+TEST_CASE("Linear solver parameters are read from their subsection", "[solver]")
+{
+  dealii::ParameterHandler prm;
+  LinearSolverParameters::declare_parameters(prm);
+  prm.parse_input_from_string("subsection Linear solver\n"
+                              "  set Type = ILU\n"
+                              "  set Tolerance = 1e-8\n"
+                              "end\n");
+  LinearSolverParameters parameters;
+  parameters.parse_parameters(prm);
+  CHECK(parameters.type == "ILU");
+  CHECK(parameters.tolerance == 1e-8);
+  CHECK(parameters.max_iterations == 500);
+  CHECK_THROWS_AS(LinearSolver(type("KLU")), InputError);
+}

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Owns the claims on reading a load programme.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/problems/plate_test/load_programme.h>
+
+#include <catch2/catch.hpp>
+
+using namespace NPT;
+using Type = LoadStage::Type;
+
+namespace
+{
+  /// Both passes, as the program does them.
+  LoadProgramme
+  read(const std::string &entries)
+  {
+    const std::string text =
+      "subsection Load programme\n" + entries + "\nend\n";
+    dealii::ParameterHandler prm;
+    LoadProgramme::declare_parameters(prm,
+                                      LoadProgramme::read_stage_names(text));
+    prm.parse_input_from_string(text);
+    LoadProgramme programme;
+    programme.parse_parameters(prm);
+    return programme;
+  }
+
+  std::string
+  stage(const std::string &name, const std::string &entries)
+  {
+    return "subsection Stage " + name + "\n" + entries + "\nend\n";
+  }
+
+  std::string
+  input_error(const std::string &entries)
+  {
+    try
+      {
+        read(entries);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "none";
+  }
+} // namespace
+
+TEST_CASE("Without entries the programme weaves, releases and shears",
+          "[solver]")
+{
+  const auto stages = read("").stages;
+  REQUIRE(stages.size() == 3);
+
+  CHECK(stages[0].name == "weave");
+  CHECK(stages[0].type == Type::weave);
+  CHECK(stages[0].H_targets.empty());
+  CHECK_FALSE(stages[0].friction);
+  CHECK(stages[0].steps.initial_step == 0.025);
+  CHECK(stages[0].steps.maximum_step == 0.1);
+
+  CHECK(stages[1].name == "release");
+  CHECK(stages[1].type == Type::release);
+  CHECK_FALSE(stages[1].friction);
+  CHECK(stages[1].steps.initial_step == 1);
+  CHECK(stages[1].steps.maximum_step == 1);
+
+  CHECK(stages[2].name == "shear");
+  CHECK(stages[2].type == Type::load);
+  CHECK(stages[2].H_targets == std::map<unsigned int, double>{{2, 0.2}});
+  CHECK(stages[2].n_targets.empty());
+  CHECK(stages[2].friction);
+  CHECK(stages[2].steps.initial_step == 0.05);
+  CHECK(stages[2].steps.minimum_step == 1e-4);
+  CHECK(stages[2].steps.maximum_step == 0.05);
+  CHECK(stages[2].steps.target_iterations == 8);
+}
+
+TEST_CASE("Stages, targets and choices are read as written", "[solver]")
+{
+  const auto stages =
+    read("set Stages = interlace, release, pull, tension\n" +
+         stage("interlace",
+               "set Type = weave\nset Targets = n1: 0, n2: 0\n"
+               "set Friction = true") +
+         stage("pull",
+               "set Targets = H1: 0.1, n2: 0, H6: -0.02, n4: 1.5\n"
+               "set Initial step = 0.02\nset Maximum step = 0.08\n"
+               "set Minimum step = 0.001\nset Target iterations = 6\n"
+               "set Friction = false"))
+      .stages;
+  REQUIRE(stages.size() == 4);
+  CHECK(stages[0].type == Type::weave);
+  CHECK(stages[0].friction);
+  CHECK(stages[0].n_targets ==
+        std::map<unsigned int, double>{{0, 0.}, {1, 0.}});
+  CHECK(stages[2].name == "pull");
+  CHECK(stages[2].type == Type::load);
+  CHECK(stages[2].H_targets ==
+        std::map<unsigned int, double>{{0, 0.1}, {5, -0.02}});
+  CHECK(stages[2].n_targets ==
+        std::map<unsigned int, double>{{1, 0.}, {3, 1.5}});
+  CHECK_FALSE(stages[2].friction);
+  CHECK(stages[2].steps.initial_step == 0.02);
+  CHECK(stages[2].steps.maximum_step == 0.08);
+  CHECK(stages[2].steps.minimum_step == 0.001);
+  CHECK(stages[2].steps.target_iterations == 6);
+  CHECK(stages[3].H_targets == std::map<unsigned int, double>{{0, 0.2}});
+}
+
+TEST_CASE("Stage names are found as deal.II reads the file", "[solver]")
+{
+  using Names       = std::vector<std::string>;
+  const auto  names = LoadProgramme::read_stage_names;
+  const Names defaults{"weave", "release", "shear"};
+  CHECK(names("") == defaults);
+  CHECK(names("set Stages = a, b") == defaults); // outside the subsection
+  CHECK(names("subsection Load programme\n"
+              "  subsection Stage x\n    set Stages = a\n  end\n"
+              "  # set Stages = c\n"
+              "end\n") == defaults);
+  CHECK(names("subsection Other\n  set x = 1\nend\n"
+              "subsection  Load programme   # comment\n"
+              "\tset  Stages=weave ,  \\\n"
+              "       release, \\\n"
+              "  my shear # , not this\n"
+              "end\n") == Names{"weave", "release", "my shear"});
+  CHECK(names("subsection Load programme\r\n  set Stages = a\r\n"
+              "  set Stages = b\r\nend\r\n") == Names{"b"});
+}
+
+TEST_CASE("A programme that cannot be is refused in one sentence", "[solver]")
+{
+  using Catch::Contains;
+  CHECK_THAT(input_error(stage("shear", "set Targets = H3: 0.1, n3: 0")),
+             Contains("both H3 and n3") && Contains("Stage shear"));
+  CHECK_THAT(input_error(stage("shear", "set Targets = H3: 0.1, H3: 0.2")),
+             Contains("H3 twice"));
+  CHECK_THAT(input_error("set Stages = weave, release, shear, shear"),
+             Contains("shear twice"));
+  CHECK_THAT(input_error("set Stages = shear, weave, release"),
+             Contains("weave weaves after load stage shear"));
+  CHECK_THAT(input_error("set Stages = release, shear"),
+             Contains("no stage before it weaves"));
+  CHECK_THAT(input_error("set Stages = weave, shear, release"),
+             Contains("shear loads before"));
+  CHECK_THAT(input_error("set Stages = weave, shear"),
+             Contains("shear loads before"));
+  CHECK_THAT(input_error("set Stages = weave, again, release\n" +
+                         stage("again", "set Type = weave")),
+             Contains("woven already"));
+  CHECK_THAT(input_error("set Stages = weave, release, again\n" +
+                         stage("again", "set Type = release")),
+             Contains("released already"));
+  CHECK_THAT(input_error("set Stages = weave, release, bend"),
+             Contains("Targets is empty") && Contains("Stage bend"));
+  CHECK_THAT(input_error(stage("shear", "set Initial step = 0.5")),
+             Contains("Initial step is 0.5") && Contains("Maximum step 0.05"));
+  CHECK_THAT(input_error(stage("shear", "set Minimum step = 0.2")),
+             Contains("Minimum step is 0.2"));
+  // Allowed: bodies that need no weaving, weaving alone.
+  CHECK(input_error("set Stages = shear") == "none");
+  CHECK(input_error("set Stages = weave, release") == "none");
+  CHECK(input_error("set Stages = tension, shear") == "none");
+}
+
+TEST_CASE("A component that does not exist is refused by the pattern",
+          "[solver]")
+{
+  CHECK_THROWS(read(stage("shear", "set Targets = H7: 0.1")));
+  CHECK_THROWS(read(stage("shear", "set Targets = 0.1")));
+}
