@@ -5,7 +5,9 @@
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/linear_algebra/blas_kernels.h>
+#include <npt_dealii/problems/identification/identification_run.h>
 #include <npt_dealii/problems/material_test/material_test_parameters.h>
 #include <npt_dealii/problems/material_test/numerical_material_testing.h>
 #include <npt_dealii/problems/parameter_study/parameter_study.h>

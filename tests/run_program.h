@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns running the program as a user does and collecting what it says.
+// Defines running the program as a user does and collecting what it says.
 
 #ifndef npt_dealii_tests_run_program_h
 #define npt_dealii_tests_run_program_h

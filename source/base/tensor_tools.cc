@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the parts of the tensor helpers that are not needed inline.
+// Defines the parts of the tensor helpers that are not needed inline.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/tensor_tools.h>

@@ -310,6 +310,24 @@ namespace NPT
 
 
 
+  void
+  BezierMesh::append_points(const std::vector<std::vector<double>> &values,
+                            const std::vector<double>              &all_weights,
+                            const std::vector<unsigned int>        &which)
+  {
+    for (const unsigned int b : which)
+      {
+        points.insert(points.end(), values[b].begin(), values[b].begin() + 3);
+        weights.push_back(all_weights[b]);
+        auto value = values[b].begin() + 3;
+        for (BezierField &field : point_data)
+          for (unsigned int k = 0; k < field.n_components; ++k)
+            field.values.push_back(*value++);
+      }
+  }
+
+
+
   std::vector<unsigned int>
   lexicographic_to_vtk(const unsigned int                 dim,
                        const std::array<unsigned int, 3> &degrees)

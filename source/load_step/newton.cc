@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the Newton loop: criteria, line search, detection of cycles.
+// Defines the Newton loop: criteria, line search, detection of cycles.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/load_step/newton.h>

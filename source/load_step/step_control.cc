@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the load factor of a stage: the next trial, growth, cuts, giving up.
+// Defines the load factor of a stage: the next trial, growth, cuts, giving up.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the search for the lowest eigenvalue of the acoustic tensor.
+// Defines the search for the lowest eigenvalue of the acoustic tensor.
 
 #include <npt_dealii/material/ellipticity.h>
 

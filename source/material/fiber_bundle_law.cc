@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the formulas of the fiber bundle law (50)-(53): energy, stress, tangent
-// and the small-strain constants.
+// Defines the formulas of the fiber bundle law (50)-(53): energy, stress,
+// tangent and the small-strain constants.
 
 #include <npt_dealii/base/tensor_tools.h>
 #include <npt_dealii/material/fiber_bundle_law.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what all hyperelastic laws share: the functions on deal.II tensors.
+// Defines what all hyperelastic laws share: the functions on deal.II tensors.
 
 #include <npt_dealii/material/hyperelastic_law.h>
 

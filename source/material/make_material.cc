@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the material subsection of a parameter file: entries, checks, and the
+// Defines the material subsection of a parameter file: entries, checks, and the
 // choice of the law.
 
 #include <npt_dealii/base/exceptions.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the formulas of the compressible neo-Hookean law (51).
+// Defines the formulas of the compressible neo-Hookean law (51).
 
 #include <npt_dealii/base/tensor_tools.h>
 #include <npt_dealii/material/neo_hookean.h>

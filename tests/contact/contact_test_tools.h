@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what the contact tests share: curved slabs, their faces, and a
+// Defines what the contact tests share: curved slabs, their faces, and a
 // projection that takes no answer on trust.
 
 #ifndef npt_dealii_tests_contact_test_tools_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what the isogeometric tests share: knot vectors and patches with
+// Defines what the isogeometric tests share: knot vectors and patches with
 // everything uneven, exact circles, and an evaluation without extraction.
 
 #ifndef npt_dealii_tests_iga_test_tools_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the tests of the discrete space: cells, joined control points,
+// Defines the tests of the discrete space: cells, joined control points,
 // reference elements, and Bezier coefficients.
 
 #include <deal.II/base/polynomials_bernstein.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the tests of patch faces as surfaces.
+// Defines the tests of patch faces as surfaces.
 
 #include <npt_dealii/iga/iga_surface.h>
 #include <npt_dealii/iga/iga_values.h>

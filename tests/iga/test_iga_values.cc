@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the tests of the values at the Gauss points of a cell.
+// Defines the tests of the values at the Gauss points of a cell.
 
 #include <npt_dealii/iga/iga_values.h>
 

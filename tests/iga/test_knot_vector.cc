@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the tests of knot vectors and of their extraction operators.
+// Defines the tests of knot vectors and of their extraction operators.
 
 #include <npt_dealii/iga/bezier_extraction.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the tests of one patch: exact circles, refinement, and bad input.
+// Defines the tests of one patch: exact circles, refinement, and bad input.
 
 #include "iga_test_tools.h"
 

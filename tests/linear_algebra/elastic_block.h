@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns a test matrix: a linear elastic box of B-splines whose lower face may
+// Defines a test matrix: a linear elastic box of B-splines whose lower face may
 // be held and carries an unsymmetric term like that of a frictional contact.
 
 #ifndef npt_dealii_tests_elastic_block_h

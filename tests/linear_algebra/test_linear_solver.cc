@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the claims on linear solvers.
+// Defines the claims on linear solvers.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the claims on the Newton loop.
+// Defines the claims on the Newton loop.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/load_step/newton.h>

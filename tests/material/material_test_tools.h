@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what the material tests share: reproducible random tensors, and strain
-// energies written from the printed formulas for automatic differentiation.
+// Defines what the material tests share: reproducible random tensors, and
+// strain energies written from the printed formulas for automatic
+// differentiation.
 
 #ifndef npt_dealii_tests_material_test_tools_h
 #define npt_dealii_tests_material_test_tools_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the tests of the ellipticity search, and where the fiber bundle law
+// Defines the tests of the ellipticity search, and where the fiber bundle law
 // loses ellipticity.
 
 #include <npt_dealii/material/ellipticity.h>

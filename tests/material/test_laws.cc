@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the tests of the hyperelastic laws: derivatives, invariance, small
+// Defines the tests of the hyperelastic laws: derivatives, invariance, small
 // strain, closed forms, and the failure at det F <= 0.
 
 #include <npt_dealii/base/exceptions.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the tests of the material subsection of a parameter file.
+// Defines the tests of the material subsection of a parameter file.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/material/make_material.h>

@@ -2,8 +2,8 @@
 // Claims about the assembly of deformable bodies.
 
 #include <npt_dealii/material/make_material.h>
-#include <npt_dealii/solid/cell_fields.h>
 #include <npt_dealii/solid/deformable_bodies.h>
+#include <npt_dealii/solid/solid_fields.h>
 #include <npt_dealii/verification/solids/benchmark_bodies.h>
 
 #include <deal.II/lac/affine_constraints.h>

@@ -3,7 +3,7 @@
 
 #include <npt_dealii/material/fiber_bundle_law.h>
 #include <npt_dealii/material/neo_hookean.h>
-#include <npt_dealii/solid/cell_fields.h>
+#include <npt_dealii/solid/solid_fields.h>
 
 #include <deal.II/physics/transformations.h>
 

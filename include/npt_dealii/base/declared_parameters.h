@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the view of what a ParameterHandler has declared: sections, entries and
-// their texts, in the order of declaration.
+// Defines the view of what a ParameterHandler has declared: sections, entries
+// and their texts, in the order of declaration.
 
 #ifndef npt_dealii_base_declared_parameters_h
 #define npt_dealii_base_declared_parameters_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what messages say about the values that an entry allows.
+// Defines what messages say about the values that an entry allows.
 
 #ifndef npt_dealii_base_describe_pattern_h
 #define npt_dealii_base_describe_pattern_h

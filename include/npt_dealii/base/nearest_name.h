@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns "did you mean": which of the valid names a person may have meant.
+// Defines "did you mean": which of the valid names a person may have meant.
 
 #ifndef npt_dealii_base_nearest_name_h
 #define npt_dealii_base_nearest_name_h

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the statements of parameter files: their lines, include files resolved.
+// Defines the statements of parameter files: their lines, include files
+// resolved.
 
 #ifndef npt_dealii_base_parameter_text_h
 #define npt_dealii_base_parameter_text_h

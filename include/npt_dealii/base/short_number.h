@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns numbers in messages and labels.
+// Defines numbers in messages and labels.
 
 #ifndef npt_dealii_base_short_number_h
 #define npt_dealii_base_short_number_h

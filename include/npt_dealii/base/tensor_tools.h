@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the few tensor helpers that deal.II lacks, on raw row-major arrays for
-// the kernels at quadrature points.
+// Defines the few tensor helpers that deal.II lacks, on raw row-major arrays
+// for the kernels at quadrature points.
 
 #ifndef npt_dealii_base_tensor_tools_h
 #define npt_dealii_base_tensor_tools_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the averaging operator that turns values at Gauss points into values at
-// contact nodes: mortar or pointwise.
+// Defines the averaging operator that turns values at Gauss points into values
+// at contact nodes: mortar or pointwise.
 
 #ifndef npt_dealii_contact_averaging_h
 #define npt_dealii_contact_averaging_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the closest point of a surface to a point in space, edges and corners
+// Defines the closest point of a surface to a point in space, edges and corners
 // included, and the surface geometry there.
 
 #ifndef npt_dealii_contact_closest_point_projection_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the virtual work of frictional contact of one secondary surface with
+// Defines the virtual work of frictional contact of one secondary surface with
 // its primary surfaces: state, residual, consistent tangent, history.
 
 #ifndef npt_dealii_contact_contact_assembler_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what a contact pair remembers of the last accepted step.
+// Defines what a contact pair remembers of the last accepted step.
 
 #ifndef npt_dealii_contact_contact_history_h
 #define npt_dealii_contact_contact_history_h

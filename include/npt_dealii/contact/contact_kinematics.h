@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the first and second variations of gap and closest point at one contact
-// point, expressed by the jets of the two surfaces.
+// Defines the first and second variations of gap and closest point at one
+// contact point, expressed by the jets of the two surfaces.
 
 #ifndef npt_dealii_contact_contact_kinematics_h
 #define npt_dealii_contact_contact_kinematics_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the contact and friction entries of the parameter file.
+// Defines the contact and friction entries of the parameter file.
 
 #ifndef npt_dealii_contact_contact_parameters_h
 #define npt_dealii_contact_contact_parameters_h

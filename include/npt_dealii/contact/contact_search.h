@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the broad phase: an R-tree over samples of the primary surfaces that
+// Defines the broad phase: an R-tree over samples of the primary surfaces that
 // gives start values for the closest point projection.
 
 #ifndef npt_dealii_contact_contact_search_h

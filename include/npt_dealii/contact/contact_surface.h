@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns a surface that takes part in contact: a patch face with its unknowns,
+// Defines a surface that takes part in contact: a patch face with its unknowns,
 // possibly seen through an affine map (the image in a neighboring cell).
 
 #ifndef npt_dealii_contact_contact_surface_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns Coulomb friction with a tangential penalty: return mapping in surface
+// Defines Coulomb friction with a tangential penalty: return mapping in surface
 // coordinates, and its derivatives.
 
 #ifndef npt_dealii_contact_coulomb_friction_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the answer of a contact node to its gap.
+// Defines the answer of a contact node to its gap.
 
 #ifndef npt_dealii_contact_normal_law_h
 #define npt_dealii_contact_normal_law_h

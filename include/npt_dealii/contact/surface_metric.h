@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the inverse of the small symmetric matrices of surface geometry.
+// Defines the inverse of the small symmetric matrices of surface geometry.
 
 #ifndef npt_dealii_contact_surface_metric_h
 #define npt_dealii_contact_surface_metric_h

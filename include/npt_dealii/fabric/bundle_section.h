@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the cross sections of fiber bundles as NURBS patches.
+// Defines the cross sections of fiber bundles as NURBS patches.
 
 #ifndef npt_dealii_fabric_bundle_section_h
 #define npt_dealii_fabric_bundle_section_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the cell and mesh entries of the parameter file.
+// Defines the cell and mesh entries of the parameter file.
 
 #ifndef npt_dealii_fabric_cell_parameters_h
 #define npt_dealii_fabric_cell_parameters_h

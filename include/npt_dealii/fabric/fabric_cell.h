@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the periodic cell of a woven fabric: its bundles, its symmetry
+// Defines the periodic cell of a woven fabric: its bundles, its symmetry
 // operations and the surfaces that may touch.
 
 #ifndef npt_dealii_fabric_fabric_cell_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the over/under table of a weave.
+// Defines the over/under table of a weave.
 
 #ifndef npt_dealii_fabric_weave_pattern_h
 #define npt_dealii_fabric_weave_pattern_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the couplings of a fabric cell: which control points its symmetry
+// Defines the couplings of a fabric cell: which control points its symmetry
 // operations relate, and how.
 
 #ifndef npt_dealii_homogenization_fabric_couplings_h

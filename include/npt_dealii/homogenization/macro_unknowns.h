@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the global unknowns of a cell: H1..H6 and the weaving offset, their
+// Defines the global unknowns of a cell: H1..H6 and the weaving offset, their
 // places among the unknowns and which of them are prescribed.
 
 #ifndef npt_dealii_homogenization_macro_unknowns_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns relations between unknowns that are affine in macro unknowns, and their
-// reduction by orbits to AffineConstraints.
+// Defines relations between unknowns that are affine in macro unknowns, and
+// their reduction by orbits to AffineConstraints.
 
 #ifndef npt_dealii_homogenization_orbit_constraints_h
 #define npt_dealii_homogenization_orbit_constraints_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the resultants of a cell as volume averages, and the contact dipole by
-// which they differ from the conjugates of the macro unknowns.
+// Defines the resultants of a cell as volume averages, and the contact dipole
+// by which they differ from the conjugates of the macro unknowns.
 
 #ifndef npt_dealii_homogenization_resultants_h
 #define npt_dealii_homogenization_resultants_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the couplings of a cell that is periodic in all three directions, with
-// the nine components of the displacement gradient as macro unknowns.
+// Defines the couplings of a cell that is periodic in all three directions,
+// with the nine components of the displacement gradient as macro unknowns.
 
 #ifndef npt_dealii_homogenization_solid_couplings_h
 #define npt_dealii_homogenization_solid_couplings_h

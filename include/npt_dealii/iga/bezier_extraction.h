@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the extraction operators that express B-splines on a span by the
+// Defines the extraction operators that express B-splines on a span by the
 // Bernstein polynomials of that span.
 
 #ifndef npt_dealii_iga_bezier_extraction_h

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the discrete space: cells (knot spans), reference elements, extraction
-// operators, and the global numbering of control points over all patches.
+// Defines the discrete space: cells (knot spans), reference elements,
+// extraction operators, and the global numbering of control points over all
+// patches.
 
 #ifndef npt_dealii_iga_iga_space_h
 #define npt_dealii_iga_iga_space_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns knot vectors: spans, B-spline functions by Cox-de Boor, and the linear
-// operators of knot insertion and degree elevation.
+// Defines knot vectors: spans, B-spline functions by Cox-de Boor, and the
+// linear operators of knot insertion and degree elevation.
 
 #ifndef npt_dealii_iga_knot_vector_h
 #define npt_dealii_iga_knot_vector_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns one tensor-product NURBS body: knot vectors, control points, weights,
+// Defines one tensor-product NURBS body: knot vectors, control points, weights,
 // evaluation and refinement.
 
 #ifndef npt_dealii_iga_nurbs_patch_h

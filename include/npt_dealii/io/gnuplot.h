@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what all pictures have in common: quoting, colors, the frame of the
+// Defines what all pictures have in common: quoting, colors, the frame of the
 // gnuplot script, and calling gnuplot.
 
 #ifndef npt_dealii_io_gnuplot_h

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the one way in which files of the output room are replaced as a whole.
+// Defines the one way in which files of the output room are replaced as a
+// whole.
 
 #ifndef npt_dealii_io_replace_file_h
 #define npt_dealii_io_replace_file_h

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what a run says while it runs: the log on screen and in log.txt, and
+// Defines what a run says while it runs: the log on screen and in log.txt, and
 // the progress bar of a terminal.
 
 #ifndef npt_dealii_io_run_log_h
 #define npt_dealii_io_run_log_h
-
-#include <npt_dealii/problems/plate_test/curve_writer.h>
 
 #include <fstream>
 #include <ostream>
@@ -69,22 +67,6 @@ namespace NPT
     warning(const std::string &text);
 
     /**
-     * Choose the components of H, 0 to 5, that the table of steps shows.
-     * Without a choice each line shows the component of largest magnitude.
-     */
-    void
-    show_components(const std::vector<unsigned int> &components);
-
-    /**
-     * One aligned line for an accepted step; the titles of the columns are
-     * repeated when a stage begins.
-     *
-     * @param residual The last norm of the Newton iteration.
-     */
-    void
-    step(const CurveRow &row, const double residual);
-
-    /**
      * A failed step that is tried again with a smaller one.
      *
      * @param load_factor The load factor that could not be reached.
@@ -118,14 +100,11 @@ namespace NPT
     void
     erase_bar();
 
-    std::ofstream             file_;
-    std::ostream             &screen_;
-    const bool                is_terminal_;
-    const bool                quiet_;
-    std::vector<unsigned int> components_;
-    bool                      first_step_ = true;
-    std::string               last_stage_;
-    std::string               bar_;
+    std::ofstream file_;
+    std::ostream &screen_;
+    const bool    is_terminal_;
+    const bool    quiet_;
+    std::string   bar_;
   };
 
   /// Whether standard output is a terminal and not a file or a pipe.

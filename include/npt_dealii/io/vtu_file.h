@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the VTU files: rational Bezier cells and point clouds with their
+// Defines the VTU files: rational Bezier cells and point clouds with their
 // fields, and the PVD record that lists them over a run.
 
 #ifndef npt_dealii_io_vtu_file_h
@@ -56,6 +56,19 @@ namespace NPT
     /// Number of control points of cell @p cell.
     unsigned int
     n_points_of_cell(const unsigned int cell) const;
+
+    /**
+     * Append control points of a cell and their fields.
+     *
+     * @param values  By control point: the position (3), then the components of
+     *   all fields of point_data, in order.
+     * @param all_weights By control point.
+     * @param which   Which of them, in the order of the cell.
+     */
+    void
+    append_points(const std::vector<std::vector<double>> &values,
+                  const std::vector<double>              &all_weights,
+                  const std::vector<unsigned int>        &which);
   };
 
   /**

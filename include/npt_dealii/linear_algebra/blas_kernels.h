@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the choice of BLAS kernels on processors that are newer than the
+// Defines the choice of BLAS kernels on processors that are newer than the
 // installed OpenBLAS.
 
 #ifndef npt_dealii_linear_algebra_blas_kernels_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the linear system in the independent unknowns: what AffineConstraints
+// Defines the linear system in the independent unknowns: what AffineConstraints
 // leave free, with fast assembly and prescribed values.
 
 #ifndef npt_dealii_linear_algebra_constrained_system_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns a square sparse matrix in compressed row storage with direct access to
-// its values: what assembly writes into and what linear solvers read.
+// Defines a square sparse matrix in compressed row storage with direct access
+// to its values: what assembly writes into and what linear solvers read.
 
 #ifndef npt_dealii_linear_algebra_csr_matrix_h
 #define npt_dealii_linear_algebra_csr_matrix_h

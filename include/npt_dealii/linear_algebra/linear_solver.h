@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the solution of the linearized system: direct and iterative solvers
+// Defines the solution of the linearized system: direct and iterative solvers
 // behind one factorize() and one solve().
 
 #ifndef npt_dealii_linear_algebra_linear_solver_h

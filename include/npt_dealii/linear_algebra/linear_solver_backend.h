@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what LinearSolver asks of a solver, one function per solver to make it.
+// Defines what LinearSolver asks of a solver, one function per solver to make
+// it.
 
 #ifndef npt_dealii_linear_algebra_linear_solver_backend_h
 #define npt_dealii_linear_algebra_linear_solver_backend_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what the solvers of Trilinos share: the matrix of one process.
+// Defines what the solvers of Trilinos share: the matrix of one process.
 
 #ifndef npt_dealii_linear_algebra_trilinos_backend_h
 #define npt_dealii_linear_algebra_trilinos_backend_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns one load step on a condensed system as a problem for Newton's method:
+// Defines one load step on a condensed system as a problem for Newton's method:
 // the free unknowns, the targets of the others, and both predictors.
 
 #ifndef npt_dealii_load_step_load_step_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the Newton loop: criteria, line search, detection of cycles. Knows no
+// Defines the Newton loop: criteria, line search, detection of cycles. Knows no
 // physics; the problem comes as callables.
 
 #ifndef npt_dealii_load_step_newton_h

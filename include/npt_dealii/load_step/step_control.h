@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the load factor of a stage: the next trial, growth, cuts, giving up.
+// Defines the load factor of a stage: the next trial, growth, cuts, giving up.
 
 #ifndef npt_dealii_load_step_step_control_h
 #define npt_dealii_load_step_step_control_h

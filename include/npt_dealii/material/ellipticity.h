@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the search for loss of ellipticity: the lowest eigenvalue of the
+// Defines the search for loss of ellipticity: the lowest eigenvalue of the
 // acoustic tensor over all directions.
 
 #ifndef npt_dealii_material_ellipticity_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the transversely isotropic law of a fiber bundle (50)-(53), its
+// Defines the transversely isotropic law of a fiber bundle (50)-(53), its
 // constants and what they mean at small strain.
 
 #ifndef npt_dealii_material_fiber_bundle_law_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the interface of all hyperelastic laws: energy, stress and tangent at
+// Defines the interface of all hyperelastic laws: energy, stress and tangent at
 // one point.
 
 #ifndef npt_dealii_material_hyperelastic_law_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the material entries of a parameter file and the step from them to a
+// Defines the material entries of a parameter file and the step from them to a
 // law.
 
 #ifndef npt_dealii_material_make_material_h

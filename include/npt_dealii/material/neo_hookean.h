@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the compressible neo-Hookean law, the isotropic part (51) of the fiber
-// bundle and the law of fibers and matrix.
+// Defines the compressible neo-Hookean law, the isotropic part (51) of the
+// fiber bundle and the law of fibers and matrix.
 
 #ifndef npt_dealii_material_neo_hookean_h
 #define npt_dealii_material_neo_hookean_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the deformable solids of a problem: their space, laws and reference
+// Defines the deformable solids of a problem: their space, laws and reference
 // gradients, and the assembly of their virtual work.
 
 #ifndef npt_dealii_solid_deformable_bodies_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the cell kernel of a solid in total Lagrangian form: internal force and
-// consistent stiffness from the gradients of the shape functions.
+// Defines the cell kernel of a solid in total Lagrangian form: internal force
+// and consistent stiffness from the gradients of the shape functions.
 
 #ifndef npt_dealii_solid_solid_kernel_h
 #define npt_dealii_solid_solid_kernel_h

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reading and cross-checking of the parameters of material tests and fits.
+// Reading and cross-checking of the parameters of material tests.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/problems/material_test/material_test_parameters.h>
-#include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -132,26 +132,6 @@ namespace NPT
       IdentificationParameters::declare_parameters(prm);
       MaterialOutputParameters::declare_parameters(prm, "output-nmt", true);
     }
-
-    void
-    declare_identification(dealii::ParameterHandler &prm)
-    {
-      declare_problem(prm, "identification");
-      prm.enter_subsection("Data");
-      prm.declare_entry("Files",
-                        "output-nmt/material_tests.csv",
-                        Patterns::List(Patterns::Anything(), 1),
-                        "Tables of tests (CSV with a header), separated by "
-                        "commas: columns H11 ... H33 [-] and P11 ... P33 "
-                        "[MPa], and optionally `test`, the name of the curve. "
-                        "Missing H are zero, missing P were not measured; "
-                        "direction 1 is the fiber's.");
-      prm.leave_subsection();
-      IdentificationParameters::declare_parameters(prm);
-      MaterialOutputParameters::declare_parameters(prm,
-                                                   "output-identify",
-                                                   false);
-    }
   } // namespace
 
 
@@ -253,47 +233,6 @@ namespace NPT
 
 
 
-  void
-  MaterialOutputParameters::declare_parameters(
-    dealii::ParameterHandler &prm,
-    const std::string        &default_directory,
-    const bool                with_fields)
-  {
-    prm.enter_subsection("Output");
-    prm.declare_entry("Directory",
-                      default_directory,
-                      Patterns::DirectoryName(),
-                      "Where all results go; created if missing. The option "
-                      "--output of the program overrides it.");
-    if (with_fields)
-      prm.declare_entry("Fields",
-                        "false",
-                        Patterns::Bool(),
-                        "Write the deformed cell and its stresses (VTU) at the "
-                        "end of every test.");
-    prm.declare_entry("Picture",
-                      "true",
-                      Patterns::Bool(),
-                      "Draw fit.svg, fit against test, with gnuplot.");
-    prm.leave_subsection();
-  }
-
-
-
-  void
-  MaterialOutputParameters::parse_parameters(dealii::ParameterHandler &prm,
-                                             const bool with_fields)
-  {
-    prm.enter_subsection("Output");
-    directory = prm.get("Directory");
-    if (with_fields)
-      fields = prm.get_bool("Fields");
-    picture = prm.get_bool("Picture");
-    prm.leave_subsection();
-  }
-
-
-
   MaterialTestParameters
   MaterialTestParameters::read(const ParameterText            &text,
                                const std::vector<std::string> &overrides)
@@ -331,41 +270,6 @@ namespace NPT
   {
     dealii::ParameterHandler prm;
     declare_material_test(prm, MaterialTestProgramme::read_test_names({}, {}));
-    std::ostringstream out;
-    print_documented_parameters(prm, out);
-    return out.str();
-  }
-
-
-
-  IdentificationRunParameters
-  IdentificationRunParameters::read(const ParameterText            &text,
-                                    const std::vector<std::string> &overrides)
-  {
-    dealii::ParameterHandler prm;
-    declare_identification(prm);
-    parse_parameter_text(prm, text, overrides);
-
-    IdentificationRunParameters parameters;
-    prm.enter_subsection("Data");
-    parameters.files = split_string_list(prm.get("Files"), ',');
-    prm.leave_subsection();
-    parameters.identification.parse_parameters(prm);
-    parameters.output.parse_parameters(prm, false);
-
-    std::ostringstream used;
-    print_documented_parameters(prm, used);
-    parameters.used_file = used.str();
-    return parameters;
-  }
-
-
-
-  std::string
-  IdentificationRunParameters::documented_defaults()
-  {
-    dealii::ParameterHandler prm;
-    declare_identification(prm);
     std::ostringstream out;
     print_documented_parameters(prm, out);
     return out.str();

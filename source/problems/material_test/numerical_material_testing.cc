@@ -7,10 +7,9 @@
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/load_step/load_step.h>
 #include <npt_dealii/load_step/step_control.h>
-#include <npt_dealii/problems/identification/identification_report.h>
 #include <npt_dealii/problems/material_test/composite_bounds.h>
 #include <npt_dealii/problems/material_test/numerical_material_testing.h>
-#include <npt_dealii/solid/cell_fields.h>
+#include <npt_dealii/solid/solid_fields.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,34 +25,6 @@ namespace NPT
   namespace
   {
     constexpr unsigned int n_macro = SolidMacroUnknowns::n_macro;
-
-    void
-    report_fit(const IdentificationResult       &result,
-               const std::vector<MaterialCurve> &curves,
-               const IdentificationParameters   &parameters,
-               const std::string                &directory,
-               const bool                        picture,
-               RunLog                           &log)
-    {
-      for (const std::string &line : describe(result))
-        log.line(line);
-      std::string published = "Table 1 (sign of d corrected) on these curves, "
-                              "rms error [%]:";
-      for (const auto &error :
-           curve_errors(curves, parameters, FiberBundleConstants()))
-        published +=
-          " " + error.name + " " + short_number(100. * error.rms, 3) + ";";
-      published.back() = '.';
-      log.line(published);
-      if (directory.empty())
-        return;
-      write_material_file(directory + "/bundle_material.prm", result);
-      const std::string warning =
-        write_fit(directory, curves, result.constants, picture);
-      if (!warning.empty())
-        log.warning(warning);
-      log.line("Written: " + directory + "/bundle_material.prm");
-    }
   } // namespace
 
 
@@ -508,40 +479,5 @@ namespace NPT
     write_vtu(directory_ + "/" + name,
               make_bundle_fields(
                 bodies_->space(), bodies_->laws(), bodies_->gradients(), u_));
-  }
-
-
-
-  IdentificationResult
-  run_identification(const IdentificationRunParameters &parameters,
-                     const std::string                 &directory,
-                     std::ostream                      &screen)
-  {
-    RunLog log(RunLog::in_folder(directory, screen));
-    if (!directory.empty())
-      replace_file(directory + "/used_parameters.prm",
-                   [&](std::ostream &out) { out << parameters.used_file; });
-    std::vector<MaterialCurve> curves;
-    for (const std::string &file : parameters.files)
-      for (MaterialCurve &curve : read_material_curves(file))
-        {
-          for (const MaterialCurve &other : curves)
-            if (other.name == curve.name)
-              throw InputError("The curve '" + curve.name + "' of " + file +
-                               " exists already; give every curve a name of "
-                               "its own (entry Files, subsection Data).");
-          curves.push_back(curve);
-        }
-    log.header("Identification of the fiber bundle law (50)-(53)",
-               {{"curves", std::to_string(curves.size())}});
-    const IdentificationResult result =
-      identify(curves, parameters.identification);
-    report_fit(result,
-               curves,
-               parameters.identification,
-               directory,
-               parameters.output.picture,
-               log);
-    return result;
   }
 } // namespace NPT

@@ -2,6 +2,7 @@
 // Parameters of studies: their entries, and all cases read and checked.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/problems/parameter_study/study_parameters.h>
 #include <npt_dealii/problems/plate_test/curve_writer.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>

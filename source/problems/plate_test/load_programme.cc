@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns reading and checking the list of stages.
+// Defines reading and checking the list of stages.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/problems/plate_test/load_programme.h>

@@ -35,6 +35,7 @@ namespace NPT
     : parameters_(parameters)
     , directory_(directory)
     , log_(RunLog::in_folder(directory, screen))
+    , step_table_(log_)
     , timer_(screen, TimerOutput::never, TimerOutput::cpu_and_wall_times)
     , cpu_start_(process_cpu_seconds())
     , macro_(0)
@@ -262,7 +263,7 @@ namespace NPT
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       if (stage.H_targets.count(n) + stage.n_targets.count(n) > 0)
         shown.push_back(n);
-    log_.show_components(shown);
+    step_table_.show_components(shown);
 
     if (friction_begins)
       for (const auto &contact : contacts_)
@@ -425,7 +426,7 @@ namespace NPT
     curve_.push_back(row);
     if (curve_writer_)
       curve_writer_->write(row);
-    log_.step(row, report_.final_residual);
+    step_table_.add_row(row, report_.final_residual);
   }
 
 

@@ -4,12 +4,13 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
+#include <npt_dealii/contact/contact_fields.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/problems/plate_test/cell_picture.h>
 #include <npt_dealii/problems/plate_test/hysteresis.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 #include <npt_dealii/problems/plate_test/plots.h>
-#include <npt_dealii/solid/cell_fields.h>
+#include <npt_dealii/solid/solid_fields.h>
 
 #include <algorithm>
 #include <cctype>

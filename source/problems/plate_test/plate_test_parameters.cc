@@ -2,6 +2,7 @@
 // Gathering, reading and cross-checking of all parameters.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/fabric/fabric_cell.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 
@@ -15,39 +16,6 @@
 namespace NPT
 {
   namespace Patterns = dealii::Patterns;
-
-  const std::vector<std::string> &
-  problem_names()
-  {
-    static const std::vector<std::string> names = {"plate test",
-                                                   "material test",
-                                                   "identification",
-                                                   "parameter study",
-                                                   "solid benchmark",
-                                                   "contact benchmark"};
-    return names;
-  }
-
-
-
-  void
-  declare_problem(dealii::ParameterHandler &prm, const std::string &problem)
-  {
-    std::string names;
-    for (const std::string &name : problem_names())
-      names += (names.empty() ? "" : "|") + name;
-    prm.declare_entry("Problem",
-                      problem,
-                      Patterns::Selection(names),
-                      "What the program does: numerical plate testing of a "
-                      "woven cell, numerical material testing of a micro cell "
-                      "of fibers and matrix, identification of a bundle law "
-                      "from test data, a study of many plate tests, or a "
-                      "comparison of solids or of contact with exact "
-                      "solutions.");
-  }
-
-
 
   void
   OutputParameters::declare_parameters(dealii::ParameterHandler &prm)

@@ -4,12 +4,12 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
-#include <npt_dealii/contact/augmented_lagrangian.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/vtu_file.h>
+#include <npt_dealii/load_step/augmented_lagrangian.h>
 #include <npt_dealii/load_step/load_step.h>
 #include <npt_dealii/load_step/step_control.h>
-#include <npt_dealii/solid/cell_fields.h>
+#include <npt_dealii/solid/solid_fields.h>
 #include <npt_dealii/verification/contact/contact_benchmark.h>
 
 #include <fstream>

@@ -2,7 +2,7 @@
 // Reading and cross-checking of the parameters of solid benchmarks.
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/problems/plate_test/plate_test_parameters.h>
+#include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/verification/solids/solid_benchmark_parameters.h>
 
 #include <deal.II/base/utilities.h>

@@ -272,10 +272,11 @@ TEST_CASE("The log has one line per accepted step", "[output]")
   const auto         rows = made_up_run();
   NPT::RunLog        log(logfile, screen, true);
   log.header("npt_dealii 0.1", {{"unknowns", "2904"}, {"weave", "plain"}});
-  log.show_components({2});
+  StepTable table(log);
+  table.show_components({2});
   for (const auto &row : rows)
     {
-      log.step(row, 1e-10);
+      table.add_row(row, 1e-10);
       log.progress(row.step / 40., row.cpu_seconds);
     }
   log.cut("shear", 0.35, "inverted cell", 0.0125);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the claims on reading a load programme.
+// Defines the claims on reading a load programme.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/problems/plate_test/load_programme.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns linear least squares with linear inequalities as constraints.
+// Defines linear least squares with linear inequalities as constraints.
 
 #ifndef npt_dealii_problems_identification_constrained_least_squares_h
 #define npt_dealii_problems_identification_constrained_least_squares_h

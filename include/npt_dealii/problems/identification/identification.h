@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the identification of the fiber bundle law: the fit of its six
+// Defines the identification of the fiber bundle law: the fit of its six
 // constants to tabulated stresses, with confidence and stability.
 
 #ifndef npt_dealii_problems_identification_identification_h

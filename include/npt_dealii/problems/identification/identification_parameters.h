@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what an identification fits: curves, weights, components, constraints.
+// Defines what an identification fits: curves, weights, components,
+// constraints.
 
 #ifndef npt_dealii_problems_identification_identification_parameters_h
 #define npt_dealii_problems_identification_identification_parameters_h

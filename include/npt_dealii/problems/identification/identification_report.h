@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what is told of an identification: the report, the file for other runs,
-// the picture of fit against test.
+// Defines what is told of an identification: the report, the file for other
+// runs, the picture of fit against test.
 
 #ifndef npt_dealii_problems_identification_identification_report_h
 #define npt_dealii_problems_identification_identification_report_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the test data of a material: curves of displacement gradients and
+// Defines the test data of a material: curves of displacement gradients and
 // stresses, and their file.
 
 #ifndef npt_dealii_problems_identification_material_curve_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the classical bounds for the moduli of a unidirectional composite, to
+// Defines the classical bounds for the moduli of a unidirectional composite, to
 // judge computed ones.
 
 #ifndef npt_dealii_problems_material_test_composite_bounds_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the micro cells: periodic arrays of parallel round fibers in a matrix
+// Defines the micro cells: periodic arrays of parallel round fibers in a matrix
 // as conforming NURBS patches, and their entries in the parameter file.
 
 #ifndef npt_dealii_problems_material_test_fiber_array_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns all parameters of a numerical material test and of an identification:
-// gathers the rooms' structs, declares, reads and cross-checks them.
+// Defines all parameters of a numerical material test: gathers the rooms'
+// structs, declares, reads and cross-checks them.
 
 #ifndef npt_dealii_problems_material_test_material_test_parameters_h
 #define npt_dealii_problems_material_test_material_test_parameters_h
@@ -10,7 +10,7 @@
 #include <npt_dealii/load_step/newton.h>
 #include <npt_dealii/load_step/step_control.h>
 #include <npt_dealii/material/make_material.h>
-#include <npt_dealii/problems/identification/identification.h>
+#include <npt_dealii/problems/identification/identification_run.h>
 #include <npt_dealii/problems/material_test/fiber_array.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -61,21 +61,6 @@ namespace NPT
                      const std::vector<std::string> &names);
   };
 
-  /// Subsection "Output" of both problems.
-  struct MaterialOutputParameters
-  {
-    std::string directory;
-    bool        fields  = false;
-    bool        picture = true;
-
-    static void
-    declare_parameters(dealii::ParameterHandler &prm,
-                       const std::string        &default_directory,
-                       const bool                with_fields);
-    void
-    parse_parameters(dealii::ParameterHandler &prm, const bool with_fields);
-  };
-
   /// A numerical material test, `set Problem = material test`.
   struct MaterialTestParameters
   {
@@ -96,22 +81,6 @@ namespace NPT
 
     /// Throws InputError with one sentence for the first mistake.
     static MaterialTestParameters
-    read(const ParameterText            &text,
-         const std::vector<std::string> &overrides = {});
-    static std::string
-    documented_defaults();
-  };
-
-  /// A fit of tabulated data, `set Problem = identification`.
-  struct IdentificationRunParameters
-  {
-    std::vector<std::string> files;
-    IdentificationParameters identification;
-    MaterialOutputParameters output;
-
-    std::string used_file;
-
-    static IdentificationRunParameters
     read(const ParameterText            &text,
          const std::vector<std::string> &overrides = {});
     static std::string

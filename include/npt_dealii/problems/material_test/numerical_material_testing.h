@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the numerical material test of a micro cell, from the parameter file to
-// stresses and the identified bundle law, in the order of run().
+// Defines the numerical material test of a micro cell, from the parameter file
+// to stresses and the identified bundle law, in the order of run().
 
 #ifndef npt_dealii_problems_material_test_numerical_material_testing_h
 #define npt_dealii_problems_material_test_numerical_material_testing_h
@@ -160,13 +160,6 @@ namespace NPT
     std::unique_ptr<TableWriter>          table_;
     std::unique_ptr<IdentificationResult> identified_;
   };
-
-  /// The problem `identification`: read tables, fit, write the material file,
-  /// fit.csv and the picture.
-  IdentificationResult
-  run_identification(const IdentificationRunParameters &parameters,
-                     const std::string                 &directory,
-                     std::ostream                      &screen);
 } // namespace NPT
 
 #endif

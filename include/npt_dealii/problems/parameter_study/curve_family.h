@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the pictures of a plain sweep: the curves of all cases in one picture,
-// and the course of the Newton iterations.
+// Defines the pictures of a plain sweep: the curves of all cases in one
+// picture, and the course of the Newton iterations.
 
 #ifndef npt_dealii_problems_parameter_study_curve_family_h
 #define npt_dealii_problems_parameter_study_curve_family_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns loops in the values of a parameter file: {a | b} and {{a | b}}, and the
-// files of the single cases that they stand for.
+// Defines loops in the values of a parameter file: {a | b} and {{a | b}}, and
+// the files of the single cases that they stand for.
 
 #ifndef npt_dealii_problems_parameter_study_parameter_loops_h
 #define npt_dealii_problems_parameter_study_parameter_loops_h

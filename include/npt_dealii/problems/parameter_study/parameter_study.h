@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns parameter studies: many plate tests from one parameter file with loops,
-// and what is made of them.
+// Defines parameter studies: many plate tests from one parameter file with
+// loops, and what is made of them.
 
 #ifndef npt_dealii_problems_parameter_study_parameter_study_h
 #define npt_dealii_problems_parameter_study_parameter_study_h

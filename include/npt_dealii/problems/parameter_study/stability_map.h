@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns stability maps: how runs end over two swept entries.
+// Defines stability maps: how runs end over two swept entries.
 
 #ifndef npt_dealii_problems_parameter_study_stability_map_h
 #define npt_dealii_problems_parameter_study_stability_map_h

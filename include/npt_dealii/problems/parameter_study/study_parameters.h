@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the parameters of a study: what to do, and all its cases, checked.
+// Defines the parameters of a study: what to do, and all its cases, checked.
 
 #ifndef npt_dealii_problems_parameter_study_study_parameters_h
 #define npt_dealii_problems_parameter_study_study_parameters_h

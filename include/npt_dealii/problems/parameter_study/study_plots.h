@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns what the pictures of all studies have in common: panels of one size,
+// Defines what the pictures of all studies have in common: panels of one size,
 // colors and symbols of curves.
 
 #ifndef npt_dealii_problems_parameter_study_study_plots_h

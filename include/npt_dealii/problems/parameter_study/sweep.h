@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns running the cases of a study: each in a process and a folder of its own,
-// side by side, and the table that says how they ended.
+// Defines running the cases of a study: each in a process and a folder of its
+// own, side by side, and the table that says how they ended.
 
 #ifndef npt_dealii_problems_parameter_study_sweep_h
 #define npt_dealii_problems_parameter_study_sweep_h

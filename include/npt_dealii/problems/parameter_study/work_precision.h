@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the comparison of curves with a reference, error against work, and what
-// follows from it: Pareto front and recommended settings.
+// Defines the comparison of curves with a reference, error against work, and
+// what follows from it: Pareto front and recommended settings.
 
 #ifndef npt_dealii_problems_parameter_study_work_precision_h
 #define npt_dealii_problems_parameter_study_work_precision_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the contact of a fabric cell: the surfaces that may touch, the images
+// Defines the contact of a fabric cell: the surfaces that may touch, the images
 // they meet in neighboring cells, and an assembler for each pair.
 
 #ifndef npt_dealii_problems_plate_test_cell_contacts_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the picture of a deformed cell: the faces of its bundles as grids of
+// Defines the picture of a deformed cell: the faces of its bundles as grids of
 // points, their images that make it a fabric, and the script that draws them.
 
 #ifndef npt_dealii_problems_plate_test_cell_picture_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns curves.csv, the curve of a run with one row per accepted load step:
+// Defines curves.csv, the curve of a run with one row per accepted load step:
 // its columns, their units, writing and reading.
 
 #ifndef npt_dealii_problems_plate_test_curve_writer_h

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the figures of a closed loop of a curve: rigidity, hysteresis, losses.
+// Defines the figures of a closed loop of a curve: rigidity, hysteresis,
+// losses.
 
 #ifndef npt_dealii_problems_plate_test_hysteresis_h
 #define npt_dealii_problems_plate_test_hysteresis_h

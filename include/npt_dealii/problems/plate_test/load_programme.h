@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the list of stages that a run goes through and their targets.
+// Defines the list of stages that a run goes through and their targets.
 
 #ifndef npt_dealii_problems_plate_test_load_programme_h
 #define npt_dealii_problems_plate_test_load_programme_h

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the numerical plate test: the whole method, from the parameter file to
-// curves, in the order of run().
+// Defines the numerical plate test: the whole method, from the parameter file
+// to curves, in the order of run().
 
 #ifndef npt_dealii_problems_plate_test_numerical_plate_testing_h
 #define npt_dealii_problems_plate_test_numerical_plate_testing_h
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/contact/augmented_lagrangian.h>
 #include <npt_dealii/contact/contact_assembler.h>
 #include <npt_dealii/fabric/fabric_cell.h>
 #include <npt_dealii/homogenization/fabric_couplings.h>
@@ -16,8 +15,10 @@
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/linear_algebra/constrained_system.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
+#include <npt_dealii/load_step/augmented_lagrangian.h>
 #include <npt_dealii/problems/plate_test/curve_writer.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
+#include <npt_dealii/problems/plate_test/step_table.h>
 #include <npt_dealii/solid/deformable_bodies.h>
 #include <npt_dealii/solid/solid_kernel.h>
 

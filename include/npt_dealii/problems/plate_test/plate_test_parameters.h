@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns all parameters of a plate test: gathers the rooms' structs, declares,
+// Defines all parameters of a plate test: gathers the rooms' structs, declares,
 // reads and cross-checks them.
 
 #ifndef npt_dealii_problems_plate_test_plate_test_parameters_h
@@ -20,14 +20,6 @@
 
 namespace NPT
 {
-  /// Values of the entry "Problem", the first being the default.
-  const std::vector<std::string> &
-  problem_names();
-
-  /// Declare the entry "Problem", which every parameter file has.
-  void
-  declare_problem(dealii::ParameterHandler &prm, const std::string &problem);
-
   /// Subsection "Output".
   struct OutputParameters
   {

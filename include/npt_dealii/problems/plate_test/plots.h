@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the pictures of a run: which columns of curves.csv are drawn against
+// Defines the pictures of a run: which columns of curves.csv are drawn against
 // which.
 
 #ifndef npt_dealii_problems_plate_test_plots_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns summary.csv, the one row that says how a run ended: for studies, and
+// Defines summary.csv, the one row that says how a run ended: for studies, and
 // for other programs that start many runs.
 
 #ifndef npt_dealii_problems_plate_test_run_summary_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the contact benchmark: one contact problem with an exact solution, from
-// the parameter file to the comparison, in the order of run().
+// Defines the contact benchmark: one contact problem with an exact solution,
+// from the parameter file to the comparison, in the order of run().
 
 #ifndef npt_dealii_verification_contact_contact_benchmark_h
 #define npt_dealii_verification_contact_contact_benchmark_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns all parameters of a contact benchmark: declares, reads and cross-checks
-// them.
+// Defines all parameters of a contact benchmark: declares, reads and
+// cross-checks them.
 
 #ifndef npt_dealii_verification_contact_contact_benchmark_parameters_h
 #define npt_dealii_verification_contact_contact_benchmark_parameters_h

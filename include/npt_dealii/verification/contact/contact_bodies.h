@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the bodies of contact benchmarks as exact NURBS patches, and the knots
-// that grade them towards the contact.
+// Defines the bodies of contact benchmarks as exact NURBS patches, and the
+// knots that grade them towards the contact.
 
 #ifndef npt_dealii_verification_contact_contact_bodies_h
 #define npt_dealii_verification_contact_contact_bodies_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the set-up of the contact benchmarks: bodies as exact NURBS patches,
+// Defines the set-up of the contact benchmarks: bodies as exact NURBS patches,
 // what holds and moves them, and the stages of loading.
 
 #ifndef npt_dealii_verification_contact_contact_cases_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the exact solutions that contact is verified against: Hertz, partial
+// Defines the exact solutions that contact is verified against: Hertz, partial
 // slip of Cattaneo and Mindlin, twisting contact, the belt on a drum.
 
 #ifndef npt_dealii_verification_contact_exact_contact_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the relations by which handles hold and move the bodies of contact
+// Defines the relations by which handles hold and move the bodies of contact
 // benchmarks.
 
 #ifndef npt_dealii_verification_contact_handle_couplings_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the bodies of solid benchmarks as NURBS patches, coarse and exact, and
-// their refinement.
+// Defines the bodies of solid benchmarks as NURBS patches, coarse and exact,
+// and their refinement.
 
 #ifndef npt_dealii_verification_solids_benchmark_bodies_h
 #define npt_dealii_verification_solids_benchmark_bodies_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the exact solutions that solid benchmarks are compared with: three of
+// Defines the exact solutions that solid benchmarks are compared with: three of
 // linear elasticity, and homogeneous states of both laws at finite strain.
 
 #ifndef npt_dealii_verification_solids_exact_solids_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the comparison of solids with exact solutions.
+// Defines the comparison of solids with exact solutions.
 
 #ifndef npt_dealii_verification_solids_solid_benchmark_h
 #define npt_dealii_verification_solids_solid_benchmark_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the parameters of solid benchmarks.
+// Defines the parameters of solid benchmarks.
 
 #ifndef npt_dealii_verification_solids_solid_benchmark_parameters_h
 #define npt_dealii_verification_solids_solid_benchmark_parameters_h

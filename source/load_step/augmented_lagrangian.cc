@@ -2,7 +2,7 @@
 // The loop of the augmented Lagrangian around Newton's method.
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/contact/augmented_lagrangian.h>
+#include <npt_dealii/load_step/augmented_lagrangian.h>
 
 #include <algorithm>
 #include <limits>

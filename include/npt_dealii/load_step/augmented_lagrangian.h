@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Owns the solution of one load step with contact: Newton's method, repeated
+// Defines the solution of one load step with contact: Newton's method, repeated
 // for the augmented Lagrangian.
 
-#ifndef npt_dealii_contact_augmented_lagrangian_h
-#define npt_dealii_contact_augmented_lagrangian_h
+#ifndef npt_dealii_load_step_augmented_lagrangian_h
+#define npt_dealii_load_step_augmented_lagrangian_h
 
 #include <npt_dealii/contact/contact_assembler.h>
 #include <npt_dealii/load_step/newton.h>

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The problem `identification`: from tables of tests to the constants of the
+// bundle law.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/problem_names.h>
+#include <npt_dealii/base/short_number.h>
+#include <npt_dealii/io/replace_file.h>
+#include <npt_dealii/problems/identification/identification_report.h>
+#include <npt_dealii/problems/identification/identification_run.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <sstream>
+
+namespace NPT
+{
+  namespace Patterns = dealii::Patterns;
+  using dealii::Utilities::split_string_list;
+
+  namespace
+  {
+    void
+    declare_identification(dealii::ParameterHandler &prm)
+    {
+      declare_problem(prm, "identification");
+      prm.enter_subsection("Data");
+      prm.declare_entry("Files",
+                        "output-nmt/material_tests.csv",
+                        Patterns::List(Patterns::Anything(), 1),
+                        "Tables of tests (CSV with a header), separated by "
+                        "commas: columns H11 ... H33 [-] and P11 ... P33 "
+                        "[MPa], and optionally `test`, the name of the curve. "
+                        "Missing H are zero, missing P were not measured; "
+                        "direction 1 is the fiber's.");
+      prm.leave_subsection();
+      IdentificationParameters::declare_parameters(prm);
+      MaterialOutputParameters::declare_parameters(prm,
+                                                   "output-identify",
+                                                   false);
+    }
+  } // namespace
+
+
+
+  void
+  MaterialOutputParameters::declare_parameters(
+    dealii::ParameterHandler &prm,
+    const std::string        &default_directory,
+    const bool                with_fields)
+  {
+    prm.enter_subsection("Output");
+    prm.declare_entry("Directory",
+                      default_directory,
+                      Patterns::DirectoryName(),
+                      "Where all results go; created if missing. The option "
+                      "--output of the program overrides it.");
+    if (with_fields)
+      prm.declare_entry("Fields",
+                        "false",
+                        Patterns::Bool(),
+                        "Write the deformed cell and its stresses (VTU) at the "
+                        "end of every test.");
+    prm.declare_entry("Picture",
+                      "true",
+                      Patterns::Bool(),
+                      "Draw fit.svg, fit against test, with gnuplot.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  MaterialOutputParameters::parse_parameters(dealii::ParameterHandler &prm,
+                                             const bool with_fields)
+  {
+    prm.enter_subsection("Output");
+    directory = prm.get("Directory");
+    if (with_fields)
+      fields = prm.get_bool("Fields");
+    picture = prm.get_bool("Picture");
+    prm.leave_subsection();
+  }
+
+
+
+  IdentificationRunParameters
+  IdentificationRunParameters::read(const ParameterText            &text,
+                                    const std::vector<std::string> &overrides)
+  {
+    dealii::ParameterHandler prm;
+    declare_identification(prm);
+    parse_parameter_text(prm, text, overrides);
+
+    IdentificationRunParameters parameters;
+    prm.enter_subsection("Data");
+    parameters.files = split_string_list(prm.get("Files"), ',');
+    prm.leave_subsection();
+    parameters.identification.parse_parameters(prm);
+    parameters.output.parse_parameters(prm, false);
+
+    std::ostringstream used;
+    print_documented_parameters(prm, used);
+    parameters.used_file = used.str();
+    return parameters;
+  }
+
+
+
+  std::string
+  IdentificationRunParameters::documented_defaults()
+  {
+    dealii::ParameterHandler prm;
+    declare_identification(prm);
+    std::ostringstream out;
+    print_documented_parameters(prm, out);
+    return out.str();
+  }
+
+
+
+  void
+  report_fit(const IdentificationResult       &result,
+             const std::vector<MaterialCurve> &curves,
+             const IdentificationParameters   &parameters,
+             const std::string                &directory,
+             const bool                        picture,
+             RunLog                           &log)
+  {
+    for (const std::string &line : describe(result))
+      log.line(line);
+    std::string published = "Table 1 (sign of d corrected) on these curves, "
+                            "rms error [%]:";
+    for (const auto &error :
+         curve_errors(curves, parameters, FiberBundleConstants()))
+      published +=
+        " " + error.name + " " + short_number(100. * error.rms, 3) + ";";
+    published.back() = '.';
+    log.line(published);
+    if (directory.empty())
+      return;
+    write_material_file(directory + "/bundle_material.prm", result);
+    const std::string warning =
+      write_fit(directory, curves, result.constants, picture);
+    if (!warning.empty())
+      log.warning(warning);
+    log.line("Written: " + directory + "/bundle_material.prm");
+  }
+
+
+
+  IdentificationResult
+  run_identification(const IdentificationRunParameters &parameters,
+                     const std::string                 &directory,
+                     std::ostream                      &screen)
+  {
+    RunLog log(RunLog::in_folder(directory, screen));
+    if (!directory.empty())
+      replace_file(directory + "/used_parameters.prm",
+                   [&](std::ostream &out) { out << parameters.used_file; });
+    std::vector<MaterialCurve> curves;
+    for (const std::string &file : parameters.files)
+      for (MaterialCurve &curve : read_material_curves(file))
+        {
+          for (const MaterialCurve &other : curves)
+            if (other.name == curve.name)
+              throw InputError("The curve '" + curve.name + "' of " + file +
+                               " exists already; give every curve a name of "
+                               "its own (entry Files, subsection Data).");
+          curves.push_back(curve);
+        }
+    log.header("Identification of the fiber bundle law (50)-(53)",
+               {{"curves", std::to_string(curves.size())}});
+    const IdentificationResult result =
+      identify(curves, parameters.identification);
+    report_fit(result,
+               curves,
+               parameters.identification,
+               directory,
+               parameters.output.picture,
+               log);
+    return result;
+  }
+} // namespace NPT
