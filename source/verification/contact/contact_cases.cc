@@ -63,10 +63,10 @@ namespace NPT
      * the mesh of the upper block has n_upper x n_upper spans, that of the
      * lower one n_lower x n_lower: equal numbers match.
      */
-    ContactCase
+    ContactModel
     patch_test(const Parameters &p)
     {
-      ContactCase        model;
+      ContactModel       model;
       const unsigned int nu = p.upper.n_elements, nl = p.lower.n_elements;
       model.patches = {
         box(Point<3>(0, 0, 0), Point<3>(1, 1, 0.6), p.degree, {{nu, nu, 2}}),
@@ -128,10 +128,10 @@ namespace NPT
      * Two elastic cylinders with parallel axes in plane strain, half of them
      * (x >= 0); the plane tops and bottoms are rigid plates.
      */
-    ContactCase
+    ContactModel
     cylinders(const Parameters &p)
     {
-      ContactCase  model;
+      ContactModel model;
       const double b = p.half_width;
       for (const bool upper : {true, false})
         {
@@ -208,10 +208,10 @@ namespace NPT
     }
 
     /// A quarter of an elastic sphere on a rigid plane.
-    ContactCase
+    ContactModel
     sphere(const Parameters &p)
     {
-      ContactCase model;
+      ContactModel model;
       model.patches = {sphere_segment(p),
                        rigid_plane(1.2 * p.body_size * p.half_width, p.degree)};
       model.handles = {"z"};
@@ -250,11 +250,11 @@ namespace NPT
 
     /// A quarter of two elastic cylinders; the upper one curves along x, the
     /// lower one along y. Unequal radii give an ellipse.
-    ContactCase
+    ContactModel
     crossed_cylinders(const Parameters &p)
     {
       const HertzPoint hertz = crossed_cylinders_hertz(p);
-      ContactCase      model;
+      ContactModel     model;
       for (const bool upper : {true, false})
         {
           const auto     &body = upper ? p.upper : p.lower;
@@ -293,10 +293,10 @@ namespace NPT
 
     /// Two equal cylinders in plane strain, whole width: pressed together
     /// without friction, then sheared forth, back and forth again.
-    ContactCase
+    ContactModel
     partial_slip(const Parameters &p, const double mu)
     {
-      ContactCase  model;
+      ContactModel model;
       const double b = p.half_width;
       for (const bool upper : {true, false})
         {
@@ -339,10 +339,10 @@ namespace NPT
      * points moves as one: uniaxial compression and simple shear, both
      * homogeneous, so that every number is known by hand.
      */
-    ContactCase
+    ContactModel
     block(const Parameters &p)
     {
-      ContactCase  model;
+      ContactModel model;
       const double d = p.distance;
       model.patches  = {box(Point<3>(-0.5, -0.5, 0),
                            Point<3>(0.5, 0.5, 0.6),
@@ -388,10 +388,10 @@ namespace NPT
      * along its tangent; the tight end is first held and then pulled along its
      * tangent until the belt slips everywhere.
      */
-    ContactCase
+    ContactModel
     capstan(const Parameters &p, const double normal_penalty)
     {
-      ContactCase  model;
+      ContactModel model;
       const double R = p.lower.radius, half = p.wrap_angle * PI / 360.;
       const double b = p.thickness;
       // The belt begins with a thousandth of its pressure, so that the drum
@@ -441,10 +441,10 @@ namespace NPT
 
 
     /// A rigid disc pressed on a rigid plane and turned by one degree.
-    ContactCase
+    ContactModel
     disc_twist(const Parameters &p)
     {
-      ContactCase  model;
+      ContactModel model;
       const double R = p.upper.radius;
       model.patches  = {disc(R, 0., 0.5 * R, p.degree, p.upper.n_elements),
                         rigid_plane(1.5 * R, p.degree)};
@@ -468,10 +468,10 @@ namespace NPT
      * about the normal. The quarter is closed by the four-fold axis,
      * w(QX) = Q w(X) with the rotation Q by a right angle.
      */
-    ContactCase
+    ContactModel
     sphere_twist(const Parameters &p, const double mu)
     {
-      ContactCase model;
+      ContactModel model;
       model.patches = {sphere_segment(p),
                        rigid_plane(1.2 * p.body_size * p.half_width, p.degree)};
       model.handles = {"cosine - 1", "sine", "z"};
@@ -523,10 +523,10 @@ namespace NPT
 
     /// An elastic cylinder pressed into an elastic slab (plane strain) and
     /// dragged along it over many elements at constant depth.
-    ContactCase
+    ContactModel
     ironing(const Parameters &p)
     {
-      ContactCase     model;
+      ContactModel    model;
       const double    a = p.half_width, b = a;
       const HertzMesh mesh(p, p.upper, a);
       model.patches.push_back(
@@ -581,7 +581,7 @@ namespace NPT
 
 
 
-  ContactCase
+  ContactModel
   make_contact_model(const ContactBenchmarkParameters &parameters)
   {
     const ContactCaseParameters &p  = parameters.benchmark;

@@ -139,6 +139,7 @@ namespace NPT
     const PlateTestParameters parameters_;
     const std::string         directory_;
     RunLog                    log_;
+    StepTable                 step_table_;
     dealii::TimerOutput       timer_;
     const double              cpu_start_;
 

@@ -175,7 +175,7 @@ namespace NPT
     RunLog                           log_;
     const double                     cpu_start_;
 
-    ContactCase                          model_;
+    ContactModel                         model_;
     std::unique_ptr<DeformableBodies>    bodies_;
     std::unique_ptr<IGASurface<3>>       surfaces_[2]; // secondary, primary
     std::unique_ptr<ContactAssembler<3>> contact_;

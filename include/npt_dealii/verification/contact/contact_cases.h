@@ -15,7 +15,7 @@
 namespace NPT
 {
   /// What a handle does in a stage: its value, or the force on it (on the whole
-  /// body, see ContactCase::force_factor), from t = 0, where it is what it was
+  /// body, see ContactModel::force_factor), from t = 0, where it is what it was
   /// before, to the end of the stage at t = 1.
   struct HandleDrive
   {
@@ -40,7 +40,7 @@ namespace NPT
    * upward; they touch at z = 0, which is the lower side of the upper body and
    * the upper side of the lower one.
    */
-  struct ContactCase
+  struct ContactModel
   {
     std::vector<NURBSPatch<3>>             patches;
     std::vector<std::string>               handles;
@@ -54,7 +54,7 @@ namespace NPT
   };
 
   /// Throws InputError if the case cannot be built from the parameters.
-  ContactCase
+  ContactModel
   make_contact_model(const ContactBenchmarkParameters &parameters);
 } // namespace NPT
 
