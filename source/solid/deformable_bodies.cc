@@ -80,13 +80,14 @@ namespace NPT
 
 
 
-  void
-  DeformableBodies::add_groups(ConstrainedSystem &system)
+  DeformableBodies::CellGroups
+  DeformableBodies::add_groups(ConstrainedSystem &system) const
   {
-    groups_.assign(gradients_.size(), dealii::numbers::invalid_unsigned_int);
+    CellGroups groups(gradients_.size(), dealii::numbers::invalid_unsigned_int);
     for (unsigned int c = 0; c < gradients_.size(); ++c)
       if (symmetry_weight_[c] > 0)
-        groups_[c] = system.add_group(cell_unknowns_[c]);
+        groups[c] = system.add_group(cell_unknowns_[c]);
+    return groups;
   }
 
 
@@ -102,8 +103,9 @@ namespace NPT
 
   double
   DeformableBodies::add_residual(const Vector<double> &u,
-                                 Vector<double>       &residual)
+                                 Vector<double>       &residual) const
   {
+    SolidKernel         kernel;
     std::vector<double> w, f;
     double              square_of_forces = 0;
     for (unsigned int c = 0; c < gradients_.size(); ++c)
@@ -113,7 +115,7 @@ namespace NPT
         cell_displacement(c, u, w);
         try
           {
-            kernel_.evaluate(
+            kernel.evaluate(
               *laws_[space_->cells()[c].patch], gradients_[c], w, f, nullptr);
           }
         catch (const InvertedCell &)
@@ -133,9 +135,11 @@ namespace NPT
 
   void
   DeformableBodies::add_tangent(const Vector<double> &u,
-                                ConstrainedSystem    &system)
+                                const CellGroups     &groups,
+                                ConstrainedSystem    &system) const
   {
-    AssertDimension(groups_.size(), gradients_.size());
+    AssertDimension(groups.size(), gradients_.size());
+    SolidKernel         kernel;
     std::vector<double> w, f, K;
     for (unsigned int c = 0; c < gradients_.size(); ++c)
       {
@@ -144,14 +148,14 @@ namespace NPT
         cell_displacement(c, u, w);
         try
           {
-            kernel_.evaluate(
+            kernel.evaluate(
               *laws_[space_->cells()[c].patch], gradients_[c], w, f, &K);
           }
         catch (const InvertedCell &)
           {
             report_inverted_cell(c);
           }
-        system.add(groups_[c], K, symmetry_weight_[c]);
+        system.add(groups[c], K, symmetry_weight_[c]);
       }
   }
 

@@ -106,10 +106,17 @@ namespace NPT
                       const dealii::Vector<double> &u,
                       std::vector<double>          &w) const;
 
-    /// Announce the cells to a system, before its pattern is built and again
-    /// after each ConstrainedSystem::reinit().
-    void
-    add_groups(ConstrainedSystem &system);
+    /// Numbers of the cells' groups in a system, by cell; invalid if m_c = 0.
+    using CellGroups = std::vector<unsigned int>;
+
+    /**
+     * Announce the cells to a system, before its pattern is built and again
+     * after each ConstrainedSystem::reinit().
+     *
+     * @return What add_tangent() needs to find the cells in that system.
+     */
+    CellGroups
+    add_groups(ConstrainedSystem &system) const;
 
     /**
      * Add the internal forces at u to a full residual.
@@ -122,11 +129,19 @@ namespace NPT
      */
     double
     add_residual(const dealii::Vector<double> &u,
-                 dealii::Vector<double>       &residual);
+                 dealii::Vector<double>       &residual) const;
 
-    /// Add the tangent at u to the system of the last add_groups().
+    /**
+     * Add the tangent at u to a system.
+     *
+     * @param groups What add_groups() returned for this system.
+     *
+     * Throws InvertedCell as add_residual() does.
+     */
     void
-    add_tangent(const dealii::Vector<double> &u, ConstrainedSystem &system);
+    add_tangent(const dealii::Vector<double> &u,
+                const CellGroups             &groups,
+                ConstrainedSystem            &system) const;
 
     /// Of the bodies, images included [N mm].
     double
@@ -190,8 +205,6 @@ namespace NPT
     std::vector<CellGradients>                       gradients_;
     std::vector<unsigned int>                        symmetry_weight_;
     std::vector<std::vector<unsigned int>>           cell_unknowns_;
-    std::vector<unsigned int> groups_; // by cell; unused if m_c = 0
-    SolidKernel               kernel_;
   };
 } // namespace NPT
 

@@ -118,7 +118,7 @@ namespace NPT
                                                                           -1),
                    macro_.n_unknowns());
 
-    bodies_->add_groups(system_);
+    cell_groups_ = bodies_->add_groups(system_);
     system_.build_pattern();
     linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
     u_.reinit(macro_.n_unknowns());
@@ -379,7 +379,7 @@ namespace NPT
   NumericalMaterialTesting::assemble_tangent(const Vector<double> &u)
   {
     system_.set_zero();
-    bodies_->add_tangent(u, system_);
+    bodies_->add_tangent(u, cell_groups_, system_);
   }
 
 

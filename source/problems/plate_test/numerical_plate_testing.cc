@@ -192,7 +192,7 @@ namespace NPT
     const auto constraints =
       make_couplings(*cell_, bodies_->space(), macro_, images_, woven_, pins_);
     system_.reinit(constraints, macro_.n_unknowns());
-    bodies_->add_groups(system_);
+    cell_groups_        = bodies_->add_groups(system_);
     pattern_is_current_ = false;
 
     // Where the macro unknowns come from and go to.
@@ -540,7 +540,7 @@ namespace NPT
         if (!pattern_is_current_)
           continue; // a new coupling appeared: widen the pattern
         TimerOutput::Scope timer(timer_, "Tangent: bundles");
-        bodies_->add_tangent(u, system_);
+        bodies_->add_tangent(u, cell_groups_, system_);
         return;
       }
     AssertThrow(false, dealii::ExcInternalError());

@@ -110,7 +110,7 @@ namespace NPT
     HandleCouplings    couplings(bodies_->space());
     model_.couple(couplings);
     system_.reinit(couplings.close(), bodies_->n_displacements() + n_handles);
-    bodies_->add_groups(system_);
+    cell_groups_   = bodies_->add_groups(system_);
     linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
     handles_.resize(n_handles);
     u_.reinit(bodies_->n_displacements() + n_handles);
@@ -354,7 +354,7 @@ namespace NPT
         });
         if (!pattern_is_current_)
           continue; // a new coupling appeared: widen the pattern
-        bodies_->add_tangent(u, system_);
+        bodies_->add_tangent(u, cell_groups_, system_);
         return;
       }
     AssertThrow(false, dealii::ExcInternalError());

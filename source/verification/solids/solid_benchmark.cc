@@ -237,7 +237,7 @@ namespace NPT
         }
     constraints.close();
     system_.reinit(constraints, body_->n_displacements());
-    body_->add_groups(system_);
+    cell_groups_ = body_->add_groups(system_);
     system_.build_pattern();
     system_.set_prescribed(std::vector<bool>(system_.n_independent(), false));
   }
@@ -282,7 +282,7 @@ namespace NPT
   {
     u_.reinit(body_->n_displacements());
     system_.set_zero();
-    body_->add_tangent(u_, system_);
+    body_->add_tangent(u_, cell_groups_, system_);
 
     Vector<double> rhs, m;
     system_.condense(load_, rhs);
@@ -395,7 +395,7 @@ namespace NPT
   {
     system_.reinit(dealii::AffineConstraints<double>(),
                    body_->n_displacements());
-    body_->add_groups(system_);
+    cell_groups_ = body_->add_groups(system_);
     system_.build_pattern();
 
     // w = (F - 1) X is a linear field, which control points carry like nodes.
@@ -445,7 +445,7 @@ namespace NPT
     };
     const auto assemble_tangent = [&](const Vector<double> &u) {
       system_.set_zero();
-      body_->add_tangent(u, system_);
+      body_->add_tangent(u, cell_groups_, system_);
     };
 
     u_.reinit(body_->n_displacements());

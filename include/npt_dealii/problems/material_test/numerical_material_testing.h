@@ -143,6 +143,7 @@ namespace NPT
     SolidMacroUnknowns                macro_;
 
     ConstrainedSystem             system_;
+    DeformableBodies::CellGroups  cell_groups_; // in system_
     std::unique_ptr<LinearSolver> linear_solver_;
 
     // The accepted state of the present test and the one before.

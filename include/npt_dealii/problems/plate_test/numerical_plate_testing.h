@@ -155,6 +155,7 @@ namespace NPT
 
     // The system of the present stage.
     ConstrainedSystem             system_;
+    DeformableBodies::CellGroups  cell_groups_; // in system_
     std::unique_ptr<LinearSolver> linear_solver_;
     bool                          pattern_is_current_ = false;
     bool                          friction_was_on_    = false;

@@ -180,6 +180,7 @@ namespace NPT
     std::unique_ptr<IGASurface<3>>       surfaces_[2]; // secondary, primary
     std::unique_ptr<ContactAssembler<3>> contact_;
     ConstrainedSystem                    system_;
+    DeformableBodies::CellGroups         cell_groups_; // in system_
     std::unique_ptr<LinearSolver>        linear_solver_;
     bool                                 pattern_is_current_ = false;
 

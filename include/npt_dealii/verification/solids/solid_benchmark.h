@@ -141,6 +141,7 @@ namespace NPT
     // The present body and its system.
     std::unique_ptr<DeformableBodies> body_;
     ConstrainedSystem                 system_;
+    DeformableBodies::CellGroups      cell_groups_; // in system_
     LinearSolver                      linear_solver_;
     dealii::Vector<double>            load_;   // full
     dealii::Vector<double>            u_;      // full
