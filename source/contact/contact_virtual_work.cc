@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Virtual work of frictional contact and its consistent linearization.
+// Virtual work of a contact pair and its consistent linearization.
 
-#include <npt_dealii/contact/contact_assembler.h>
+#include <npt_dealii/contact/contact_pair.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <vector>
@@ -13,14 +14,32 @@ namespace NPT
 {
   using dealii::Vector;
 
+  namespace
+  {
+    // All components of the unknowns that begin here.
+    template <int dim>
+    std::vector<unsigned int>
+    all_components(const std::vector<unsigned int> &first_dofs)
+    {
+      std::vector<unsigned int> dofs;
+      for (const unsigned int dof : first_dofs)
+        for (unsigned int i = 0; i < dim; ++i)
+          dofs.push_back(dof + i);
+      return dofs;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
-  ContactAssembler<dim>::point_functions(const unsigned int q,
-                                         PointFunctions    &functions) const
+  ContactPair<dim>::point_functions(const ContactView<dim> &view,
+                                    const unsigned int      q,
+                                    PointFunctions<dim>    &functions) const
   {
-    const auto              &s       = points_[q].shape;
-    const ClosestPoint<dim> &c       = closest_[q];
-    const auto              &primary = primaries_[c.surface];
+    const auto              &s       = geometry_.points[q].shape;
+    const ClosestPoint<dim> &c       = view.evaluation.closest[q];
+    const auto              &primary = geometry_.primaries[c.surface];
     const unsigned int n_s = s.lattice.size(), n_m = c.shape.lattice.size();
 
     functions.dofs.resize(n_s + n_m);
@@ -29,7 +48,7 @@ namespace NPT
       values.assign(n_s + n_m, 0.);
     for (unsigned int l = 0; l < n_s; ++l)
       {
-        functions.dofs[l]   = secondary_.first_dof(s.lattice[l]);
+        functions.dofs[l]   = geometry_.secondary.first_dof(s.lattice[l]);
         functions.jet[0][l] = s.value[l];
       }
     for (unsigned int l = 0; l < n_m; ++l)
@@ -43,17 +62,22 @@ namespace NPT
           functions.jet[f++][n_s + l] = second[l];
       }
 
-    if (!friction_on_ || by_closest_point_)
+    const SlipMeasure<dim>   *slip_measure = measure(view.step.friction_on);
+    const SlipReference<dim> *reference =
+      slip_measure == nullptr ? nullptr :
+                                slip_measure->acting_reference(view.step, q);
+    if (reference == nullptr)
       return;
-    const SlipPoint &slip = slip_points_[q];
-    if (slip.surface == c.surface && slip.shape.lattice == c.shape.lattice)
+    if (reference->surface == c.surface &&
+        reference->shape.lattice == c.shape.lattice)
       for (unsigned int l = 0; l < n_m; ++l)
         functions.reference.push_back(n_s + l);
     else
-      for (const unsigned int l : slip.shape.lattice)
+      for (const unsigned int l : reference->shape.lattice)
         {
           functions.reference.push_back(functions.dofs.size());
-          functions.dofs.push_back(primaries_[slip.surface].first_dof(l));
+          functions.dofs.push_back(
+            geometry_.primaries[reference->surface].first_dof(l));
           for (auto &values : functions.jet)
             values.push_back(0.);
         }
@@ -63,57 +87,28 @@ namespace NPT
 
   template <int dim>
   void
-  ContactAssembler<dim>::slip_row(const unsigned int    q,
-                                  const int             a,
-                                  const PointFunctions &functions,
-                                  std::vector<double>  &row) const
+  ContactPair<dim>::add_residual(const ContactStep<dim>       &step,
+                                 const ContactEvaluation<dim> &evaluation,
+                                 Vector<double>               &residual) const
   {
-    const SlipPoint &slip  = slip_points_[q];
-    const auto      &shape = points_[q].shape;
-    row.assign(dim * functions.dofs.size(), 0.);
-    for (unsigned int l = 0; l < shape.lattice.size(); ++l)
-      for (unsigned int i = 0; i < dim; ++i)
-        row[dim * l + i] += slip.weight * (shape.value[l] * slip.tau[a][i] +
-                                           shape.first[a][l] * slip.d[i]);
-    for (unsigned int l = 0; l < slip.shape.lattice.size(); ++l)
-      for (unsigned int i = 0; i < dim; ++i)
-        row[dim * functions.reference[l] + i] -=
-          slip.weight * slip.shape.value[l] * slip.tau[a][i];
-  }
-
-
-
-  template <int dim>
-  void
-  ContactAssembler<dim>::add_residual(Vector<double> &residual) const
-  {
-    constexpr unsigned int n_jets = ContactKinematics<dim>::n_jets;
-    PointFunctions         functions;
-    std::vector<double>    slip;
-    for (unsigned int q = 0; q < points_.size(); ++q)
+    assert_belongs(step, evaluation);
+    constexpr unsigned int  n_jets = ContactKinematics<dim>::n_jets;
+    const ContactView<dim>  view{geometry_, step, evaluation};
+    const SlipMeasure<dim> *slip_measure = measure(step.friction_on);
+    PointFunctions<dim>     functions;
+    for (unsigned int q = 0; q < geometry_.points.size(); ++q)
       {
-        if (!point_loaded_[q])
+        if (!evaluation.point_loaded[q])
           continue;
-        const ContactKinematics<dim> kinematics(closest_[q]);
+        const ContactKinematics<dim> kinematics(evaluation.closest[q]);
         auto                         row = kinematics.gap_variation();
         for (double &value : row)
-          value *= point_pressure_[q];
-        if (friction_on_ && by_closest_point_)
-          for (int a = 0; a < m; ++a)
-            for (unsigned int k = 0; k < row.size(); ++k)
-              row[k] +=
-                point_traction_[q][a] * kinematics.parameter_variation(a)[k];
+          value *= evaluation.point_pressure[q];
 
-        point_functions(q, functions);
-        if (friction_on_ && !by_closest_point_)
-          for (int a = 0; a < m; ++a)
-            {
-              slip_row(q, a, functions, slip);
-              for (unsigned int A = 0; A < functions.dofs.size(); ++A)
-                for (unsigned int i = 0; i < dim; ++i)
-                  residual[functions.dofs[A] + i] +=
-                    point_traction_[q][a] * slip[dim * A + i];
-            }
+        point_functions(view, q, functions);
+        if (slip_measure != nullptr)
+          slip_measure->add_virtual_work(
+            view, q, kinematics, functions, row, residual);
         for (unsigned int A = 0; A < functions.dofs.size(); ++A)
           for (unsigned int f = 0; f < n_jets; ++f)
             if (functions.jet[f][A] != 0.)
@@ -127,108 +122,66 @@ namespace NPT
 
   template <int dim>
   unsigned int
-  ContactAssembler<dim>::n_variations() const
+  ContactPair<dim>::n_variations(const ContactView<dim> &view) const
   {
-    return !friction_on_     ? 1 :
-           by_closest_point_ ? 1 + m + ContactKinematics<dim>::n_metric :
-                               1 + m;
+    const SlipMeasure<dim> *slip_measure = measure(view.step.friction_on);
+    return slip_measure == nullptr ? 1 :
+                                     1 + m + slip_measure->n_varying_metrics();
   }
 
 
 
   template <int dim>
   void
-  ContactAssembler<dim>::point_variations(
+  ContactPair<dim>::point_variations(const ContactView<dim>       &view,
+                                     const unsigned int            q,
+                                     const ContactKinematics<dim> &kinematics,
+                                     const PointFunctions<dim>    &functions,
+                                     Variations<dim> &variations) const
+  {
+    variations.dofs = functions.dofs;
+    jets_to_functions<dim>(kinematics.gap_variation(),
+                           functions,
+                           variations.rows[0]);
+    if (const SlipMeasure<dim> *slip_measure = measure(view.step.friction_on))
+      slip_measure->first_variations(
+        view, q, kinematics, functions, variations.rows);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::add_second_variations(
+    const ContactView<dim>       &view,
     const unsigned int            q,
     const ContactKinematics<dim> &kinematics,
-    const PointFunctions         &functions,
-    Variations                   &variations) const
-  {
-    const unsigned int n_functions = functions.dofs.size();
-    variations.dofs                = functions.dofs;
-    for (unsigned int r = 0; r < n_variations(); ++r)
-      {
-        std::vector<double> &row = variations.rows[r];
-        if (r > 0 && !by_closest_point_)
-          {
-            slip_row(q, r - 1, functions, row);
-            continue;
-          }
-        const auto &jets = r == 0 ? kinematics.gap_variation() :
-                           r <= m ? kinematics.parameter_variation(r - 1) :
-                                    kinematics.metric_variation(r - 1 - m);
-        row.assign(dim * n_functions, 0.);
-        for (unsigned int f = 0; f < ContactKinematics<dim>::n_jets; ++f)
-          for (unsigned int A = 0; A < n_functions; ++A)
-            if (functions.jet[f][A] != 0.)
-              for (unsigned int i = 0; i < dim; ++i)
-                row[A * dim + i] += functions.jet[f][A] * jets[f * dim + i];
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  ContactAssembler<dim>::add_slip_second_variation(
-    const unsigned int    q,
-    const PointFunctions &functions,
-    std::vector<double>  &block) const
-  {
-    // The same factor for each component i: t^a (delta tau_a . D d +
-    // D tau_a . delta d).
-    const SlipPoint    &slip        = slip_points_[q];
-    const auto         &shape       = points_[q].shape;
-    const unsigned int  n_functions = functions.dofs.size();
-    const unsigned int  n           = dim * n_functions;
-    const unsigned int  n_s         = shape.lattice.size();
-    std::vector<double> turn(n_s, 0.), move(n_functions, 0.);
-    for (unsigned int A = 0; A < n_s; ++A)
-      {
-        for (int a = 0; a < m; ++a)
-          turn[A] += slip.weight * point_traction_[q][a] * shape.first[a][A];
-        move[A] = shape.value[A];
-      }
-    for (unsigned int l = 0; l < slip.shape.lattice.size(); ++l)
-      move[functions.reference[l]] -= slip.shape.value[l];
-    for (unsigned int A = 0; A < n_s; ++A)
-      for (unsigned int B = 0; B < n_functions; ++B)
-        for (unsigned int i = 0; i < dim; ++i)
-          {
-            const double value = turn[A] * move[B];
-            block[(A * dim + i) * n + B * dim + i] += value;
-            block[(B * dim + i) * n + A * dim + i] += value;
-          }
-  }
-
-
-
-  template <int dim>
-  void
-  ContactAssembler<dim>::add_second_variations(
-    const unsigned int            q,
-    const ContactKinematics<dim> &kinematics,
-    const PointFunctions         &functions,
+    const PointFunctions<dim>    &functions,
     std::vector<double>          &block) const
   {
-    using Kinematics           = ContactKinematics<dim>;
-    const bool         by_jets = friction_on_ && by_closest_point_;
-    const unsigned int n_f     = functions.dofs.size();
-    const unsigned int n       = dim * n_f;
+    using Kinematics                           = ContactKinematics<dim>;
+    const ContactEvaluation<dim> &state        = view.evaluation;
+    const SlipMeasure<dim>       *slip_measure = measure(view.step.friction_on);
+    const bool                    traction_in_jets =
+      slip_measure != nullptr && slip_measure->follows_closest_point();
+    const unsigned int n_f = functions.dofs.size();
+    const unsigned int n   = dim * n_f;
 
     std::array<double, Kinematics::n * Kinematics::n> M;
     M.fill(0.);
-    kinematics.add_second_variation(point_pressure_[q],
-                                    by_jets ? point_traction_[q] :
-                                              std::array<double, m>{},
+    kinematics.add_second_variation(state.point_pressure[q],
+                                    traction_in_jets ? state.point_traction[q] :
+                                                       std::array<double, m>{},
                                     M);
-    if (friction_on_ && !by_closest_point_)
-      add_slip_second_variation(q, functions, block);
+    if (slip_measure != nullptr)
+      slip_measure->add_second_variation(view, q, functions, block);
 
     // block += N^T M N with N the jet values of the functions. Second
     // variations meet J_ab only where a traction acts on xi, and beside edges.
     const unsigned int n_used_jets =
-      by_jets || closest_[q].edge_radius > 0. ? Kinematics::n_jets : 1 + m;
+      traction_in_jets || state.closest[q].edge_radius > 0. ?
+        Kinematics::n_jets :
+        1 + m;
     std::vector<double> half(Kinematics::n * n, 0.);
     for (unsigned int k = 0; k < dim * n_used_jets; ++k)
       for (unsigned int h = 0; h < n_used_jets; ++h)
@@ -259,14 +212,15 @@ namespace NPT
 
   template <int dim>
   void
-  ContactAssembler<dim>::add_first_variations(const unsigned int   I,
-                                              const Variations    &variations,
-                                              std::vector<double> &block) const
+  ContactPair<dim>::add_first_variations(const ContactView<dim> &view,
+                                         const unsigned int      I,
+                                         const Variations<dim>  &variations,
+                                         std::vector<double>    &block) const
   {
-    const NodeState    &state = nodes_[I];
-    const double        W    = symmetry_weight_[I] * averaging_.nodes()[I].area;
-    const auto         &rows = variations.rows;
-    const unsigned int  n    = rows[0].size();
+    const NodeState<dim> &state = view.evaluation.nodes[I];
+    const double W = symmetry_weight_[I] * geometry_.averaging.nodes()[I].area;
+    const auto  &rows     = variations.rows;
+    const unsigned int  n = rows[0].size();
     std::vector<double> right(n);
     const auto          add_product = [&](const std::vector<double> &left) {
       for (unsigned int k = 0; k < n; ++k)
@@ -281,8 +235,10 @@ namespace NPT
     for (unsigned int k = 0; k < n; ++k)
       right[k] = state.slope * rows[0][k];
     add_product(rows[0]);
-    if (!friction_on_)
+    const SlipMeasure<dim> *slip_measure = measure(view.step.friction_on);
+    if (slip_measure == nullptr)
       return;
+    const unsigned int n_metrics = slip_measure->n_varying_metrics();
     for (int a = 0; a < m; ++a)
       {
         // |p| = -p falls where p rises.
@@ -292,10 +248,8 @@ namespace NPT
             right[k] = by_gap * rows[0][k];
             for (int b = 0; b < m; ++b)
               right[k] += state.friction.by_slip[a][b] * rows[1 + b][k];
-            if (by_closest_point_)
-              for (unsigned int c = 0; c < ContactKinematics<dim>::n_metric;
-                   ++c)
-                right[k] += state.friction.by_metric[a][c] * rows[1 + m + c][k];
+            for (unsigned int c = 0; c < n_metrics; ++c)
+              right[k] += state.friction.by_metric[a][c] * rows[1 + m + c][k];
           }
         add_product(rows[1 + a]);
       }
@@ -305,16 +259,18 @@ namespace NPT
 
   template <int dim>
   void
-  ContactAssembler<dim>::average_variations(
-    const unsigned int             I,
-    const std::vector<Variations> &of_points,
-    std::vector<unsigned int>     &slot,
-    Variations                    &average) const
+  ContactPair<dim>::average_variations(
+    const ContactView<dim>             &view,
+    const unsigned int                  I,
+    const std::vector<Variations<dim>> &of_points,
+    std::vector<unsigned int>          &slot,
+    Variations<dim>                    &average) const
   {
-    const auto &entries = averaging_.nodes()[I].entries;
+    const auto &entries = geometry_.averaging.nodes()[I].entries;
+    const auto &closest = view.evaluation.closest;
     average.dofs.clear();
     for (const auto &entry : entries)
-      if (is_admissible(entry.point))
+      if (geometry_.is_admissible(closest[entry.point]))
         for (const unsigned int dof : of_points[entry.point].dofs)
           {
             if (dof >= slot.size())
@@ -326,14 +282,15 @@ namespace NPT
               }
           }
 
-    for (unsigned int r = 0; r < n_variations(); ++r)
+    const unsigned int n_rows = n_variations(view);
+    for (unsigned int r = 0; r < n_rows; ++r)
       average.rows[r].assign(dim * average.dofs.size(), 0.);
     for (const auto &entry : entries)
-      if (is_admissible(entry.point))
+      if (geometry_.is_admissible(closest[entry.point]))
         {
-          const Variations &point = of_points[entry.point];
+          const Variations<dim> &point = of_points[entry.point];
           for (unsigned int A = 0; A < point.dofs.size(); ++A)
-            for (unsigned int r = 0; r < n_variations(); ++r)
+            for (unsigned int r = 0; r < n_rows; ++r)
               for (unsigned int i = 0; i < dim; ++i)
                 average.rows[r][slot[point.dofs[A]] + i] +=
                   entry.weight * point.rows[r][A * dim + i];
@@ -345,84 +302,170 @@ namespace NPT
 
 
   template <int dim>
-  void
-  ContactAssembler<dim>::add_tangent(const AddMatrix &add) const
+  std::vector<std::vector<unsigned int>>
+  ContactPair<dim>::groups_of_points(const ContactView<dim> &view) const
   {
-    const bool nodes_are_points = contact_.method != "mortar";
-    const bool relative         = friction_on_ && !by_closest_point_;
-    const auto unknowns = [](const std::vector<unsigned int> &first_dofs) {
-      std::vector<unsigned int> dofs;
-      for (const unsigned int dof : first_dofs)
-        for (unsigned int i = 0; i < dim; ++i)
-          dofs.push_back(dof + i);
-      return dofs;
-    };
-
-    // Points that share their functions share a block; the first and the last
-    // function tell which these are.
+    // The first and the last function tell which functions a point has.
+    const SlipMeasure<dim> *slip_measure = measure(view.step.friction_on);
     std::map<std::array<unsigned int, 7>, std::vector<unsigned int>> groups;
-    for (unsigned int q = 0; q < points_.size(); ++q)
-      if (point_loaded_[q])
-        groups[{{points_[q].shape.lattice[0],
-                 closest_[q].surface,
-                 closest_[q].shape.lattice.front(),
-                 closest_[q].shape.lattice.back(),
-                 relative ? slip_points_[q].surface : 0,
-                 relative ? slip_points_[q].shape.lattice.front() : 0,
-                 relative ? slip_points_[q].shape.lattice.back() : 0}}]
-          .push_back(q);
+    for (unsigned int q = 0; q < geometry_.points.size(); ++q)
+      if (view.evaluation.point_loaded[q])
+        {
+          const ClosestPoint<dim>  &c = view.evaluation.closest[q];
+          const SlipReference<dim> *reference =
+            slip_measure == nullptr ?
+              nullptr :
+              slip_measure->acting_reference(view.step, q);
+          groups[{{geometry_.points[q].shape.lattice[0],
+                   c.surface,
+                   c.shape.lattice.front(),
+                   c.shape.lattice.back(),
+                   reference ? reference->surface : 0,
+                   reference ? reference->shape.lattice.front() : 0,
+                   reference ? reference->shape.lattice.back() : 0}}]
+            .push_back(q);
+        }
+    std::vector<std::vector<unsigned int>> result;
+    for (auto &group : groups)
+      result.push_back(std::move(group.second));
+    return result;
+  }
 
-    // 1. What belongs to single points: pressure and traction times the second
-    // variations, and all of it where a node is a single point.
-    std::vector<Variations> of_points(points_.size());
-    PointFunctions          functions;
-    std::vector<double>     block;
-    for (const auto &group : groups)
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::add_tangent_of_points(
+    const ContactView<dim>       &view,
+    std::vector<Variations<dim>> &of_points,
+    const AddMatrix              &add) const
+  {
+    PointFunctions<dim> functions;
+    std::vector<double> block;
+    for (const auto &group : groups_of_points(view))
       {
         block.clear();
-        for (const unsigned int q : group.second)
+        for (const unsigned int q : group)
           {
-            const ContactKinematics<dim> kinematics(closest_[q]);
-            point_functions(q, functions);
+            const ContactKinematics<dim> kinematics(view.evaluation.closest[q]);
+            point_functions(view, q, functions);
             block.resize(dealii::Utilities::fixed_power<2>(
                            dim * functions.dofs.size()),
                          0.);
-            add_second_variations(q, kinematics, functions, block);
-            point_variations(q, kinematics, functions, of_points[q]);
-            if (nodes_are_points)
-              add_first_variations(q, of_points[q], block);
+            add_second_variations(view, q, kinematics, functions, block);
+            point_variations(view, q, kinematics, functions, of_points[q]);
+            if (nodes_are_points_)
+              add_first_variations(view, q, of_points[q], block);
           }
-        add(unknowns(functions.dofs), block);
-      }
-    if (nodes_are_points)
-      return;
-
-    // 2. What couples all points of a node: products of the averaged first
-    // variations.
-    Variations                average;
-    std::vector<unsigned int> slot;
-    for (unsigned int I = 0; I < nodes_.size(); ++I)
-      {
-        if (!nodes_[I].active || symmetry_weight_[I] == 0 ||
-            averaging_.nodes()[I].area == 0.)
-          continue;
-        average_variations(I, of_points, slot, average);
-        block.assign(dealii::Utilities::fixed_power<2>(dim *
-                                                       average.dofs.size()),
-                     0.);
-        add_first_variations(I, average, block);
-        add(unknowns(average.dofs), block);
+        add(all_components<dim>(functions.dofs), block);
       }
   }
 
 
 
-  template void
-  ContactAssembler<2>::add_residual(Vector<double> &) const;
-  template void
-  ContactAssembler<3>::add_residual(Vector<double> &) const;
-  template void
-  ContactAssembler<2>::add_tangent(const AddMatrix &) const;
-  template void
-  ContactAssembler<3>::add_tangent(const AddMatrix &) const;
+  template <int dim>
+  void
+  ContactPair<dim>::add_tangent_of_nodes(
+    const ContactView<dim>             &view,
+    const std::vector<Variations<dim>> &of_points,
+    const AddMatrix                    &add) const
+  {
+    Variations<dim>           average;
+    std::vector<unsigned int> slot;
+    std::vector<double>       block;
+    for (unsigned int I = 0; I < n_nodes(); ++I)
+      {
+        if (!view.evaluation.nodes[I].active || symmetry_weight_[I] == 0 ||
+            geometry_.averaging.nodes()[I].area == 0.)
+          continue;
+        average_variations(view, I, of_points, slot, average);
+        block.assign(dealii::Utilities::fixed_power<2>(dim *
+                                                       average.dofs.size()),
+                     0.);
+        add_first_variations(view, I, average, block);
+        add(all_components<dim>(average.dofs), block);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::add_tangent(const ContactStep<dim>       &step,
+                                const ContactEvaluation<dim> &evaluation,
+                                const AddMatrix              &add) const
+  {
+    assert_belongs(step, evaluation);
+    const ContactView<dim>       view{geometry_, step, evaluation};
+    std::vector<Variations<dim>> of_points(geometry_.points.size());
+    // 1. What belongs to single points: pressure and traction times the second
+    // variations, and all of it where a node is a single point.
+    add_tangent_of_points(view, of_points, add);
+    // 2. What couples all points of a node: products of the averaged first
+    // variations.
+    if (!nodes_are_points_)
+      add_tangent_of_nodes(view, of_points, add);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::vector<unsigned int>>
+  ContactPair<dim>::coupled_unknowns(const ContactStep<dim>       &step,
+                                     const ContactEvaluation<dim> &evaluation,
+                                     const double                  margin) const
+  {
+    assert_belongs(step, evaluation);
+    const SlipMeasure<dim> *slip_measure = measure(step.friction_on);
+    std::vector<std::vector<unsigned int>> groups;
+    std::vector<unsigned int>              first;
+    for (unsigned int I = 0; I < n_nodes(); ++I)
+      {
+        const NodeState<dim> &state = evaluation.nodes[I];
+        if (symmetry_weight_[I] == 0 || (!state.active && state.gap > margin))
+          continue;
+        first.clear();
+        for (const auto &entry : geometry_.averaging.nodes()[I].entries)
+          {
+            const ClosestPoint<dim> &c = evaluation.closest[entry.point];
+            if (!geometry_.is_admissible(c))
+              continue;
+            const auto &s = geometry_.points[entry.point].shape;
+            for (const unsigned int l : s.lattice)
+              first.push_back(geometry_.secondary.first_dof(l));
+            for (const unsigned int l : c.shape.lattice)
+              first.push_back(geometry_.primaries[c.surface].first_dof(l));
+            const SlipReference<dim> *reference =
+              slip_measure == nullptr ?
+                nullptr :
+                slip_measure->acting_reference(step, entry.point);
+            if (reference == nullptr)
+              continue;
+            for (const unsigned int l : reference->shape.lattice)
+              first.push_back(
+                geometry_.primaries[reference->surface].first_dof(l));
+          }
+        std::sort(first.begin(), first.end());
+        first.erase(std::unique(first.begin(), first.end()), first.end());
+        groups.push_back(all_components<dim>(first));
+      }
+    return groups;
+  }
+
+
+
+#define NPT_INSTANTIATE(dim)                                                   \
+  template void ContactPair<dim>::add_residual(const ContactStep<dim> &,       \
+                                               const ContactEvaluation<dim> &, \
+                                               Vector<double> &) const;        \
+  template void ContactPair<dim>::add_tangent(const ContactStep<dim> &,        \
+                                              const ContactEvaluation<dim> &,  \
+                                              const AddMatrix &) const;        \
+  template std::vector<std::vector<unsigned int>>                              \
+  ContactPair<dim>::coupled_unknowns(const ContactStep<dim> &,                 \
+                                     const ContactEvaluation<dim> &,           \
+                                     const double) const;
+  NPT_INSTANTIATE(2)
+  NPT_INSTANTIATE(3)
+#undef NPT_INSTANTIATE
 } // namespace NPT

@@ -9,16 +9,46 @@
 namespace NPT
 {
   template <int m>
-  typename CoulombFriction<m>::Response
-  CoulombFriction<m>::operator()(const std::array<double, m>        &traction_n,
-                                 const std::array<double, m>        &slip,
-                                 const std::array<double, n_metric> &metric,
-                                 const double pressure) const
+  CoulombFriction<m>::CoulombFriction(const double coefficient,
+                                      const double penalty)
+    : coefficient_(coefficient)
+    , penalty_(penalty)
+  {
+    Assert(coefficient >= 0. && penalty > 0.,
+           dealii::ExcMessage("Friction needs mu >= 0 and a penalty > 0"));
+  }
+
+
+
+  template <int m>
+  bool
+  CoulombFriction<m>::exerts_traction() const
+  {
+    return coefficient_ > 0.;
+  }
+
+
+
+  template <int m>
+  double
+  CoulombFriction<m>::penalty() const
+  {
+    return penalty_;
+  }
+
+
+
+  template <int m>
+  FrictionResponse<m>
+  CoulombFriction<m>::response(const std::array<double, m>        &traction_n,
+                               const std::array<double, m>        &slip,
+                               const std::array<double, n_metric> &metric,
+                               const double                        pressure,
+                               const double penalty_scale) const
   {
     using Indices = SymmetricIndices<m>;
-    Assert(pressure >= 0., dealii::ExcMessage("Pressure must not be negative"));
     Response answer;
-    if (!(pressure > 0.) || coefficient == 0.)
+    if (!(pressure > 0.) || coefficient_ == 0.)
       return answer;
 
     SurfaceMatrix<m> a;
@@ -27,25 +57,22 @@ namespace NPT
         a[i][j] = metric[Indices::second(i, j)];
     const SurfaceMatrix<m> inverse = invert_symmetric<m>(a);
 
-    std::array<double, m> trial, raised;
+    // Stick predictor (25), and its derivatives.
+    const double penalty = penalty_scale * penalty_;
+    Trial        trial;
     for (int i = 0; i < m; ++i)
       {
-        trial[i] = traction_n[i];
+        trial.covariant[i] = traction_n[i];
         for (int j = 0; j < m; ++j)
-          trial[i] += penalty * a[i][j] * slip[j];
+          trial.covariant[i] += penalty * a[i][j] * slip[j];
       }
-    double norm2 = 0;
     for (int i = 0; i < m; ++i)
       {
-        raised[i] = 0;
+        trial.contravariant[i] = 0;
         for (int j = 0; j < m; ++j)
-          raised[i] += inverse[i][j] * trial[j];
-        norm2 += raised[i] * trial[i];
+          trial.contravariant[i] += inverse[i][j] * trial.covariant[j];
+        trial.norm_square += trial.contravariant[i] * trial.covariant[i];
       }
-    const double norm  = std::sqrt(norm2);
-    const double limit = coefficient * pressure;
-
-    // Derivatives of the trial traction.
     for (int i = 0; i < m; ++i)
       for (int j = 0; j < m; ++j)
         {
@@ -53,28 +80,42 @@ namespace NPT
           answer.by_metric[i][Indices::second(i, j)] += penalty * slip[j];
         }
 
-    if (norm <= limit)
+    if (std::sqrt(trial.norm_square) <= coefficient_ * pressure)
       {
-        answer.traction = trial;
-        answer.energy   = 0.5 * norm2 / penalty;
-        return answer;
+        answer.traction = trial.covariant;
+        answer.energy   = 0.5 * trial.norm_square / penalty;
       }
+    else
+      slide(trial, pressure, penalty, answer);
+    return answer;
+  }
 
-    // Slip: t = (limit/norm) t_trial.
-    answer.slipping     = true;
+
+
+  template <int m>
+  void
+  CoulombFriction<m>::slide(const Trial &trial,
+                            const double pressure,
+                            const double penalty,
+                            Response    &answer) const
+  {
+    using Indices = SymmetricIndices<m>;
+
+    // (27): t = (limit/norm) t_trial.
+    const double norm   = std::sqrt(trial.norm_square);
+    const double limit  = coefficient_ * pressure;
     const double factor = limit / norm;
+    answer.slipping     = true;
     answer.dissipation  = limit * (norm - limit) / penalty;
     answer.energy       = 0.5 * limit * limit / penalty;
 
     // d norm = ( t^a dt_a - 1/2 t^a t^b da_ab ) / norm.
-    std::array<double, m>        norm_by_slip;
+    const auto                  &raised         = trial.contravariant;
+    std::array<double, m>        norm_by_slip   = {};
     std::array<double, n_metric> norm_by_metric = {};
     for (int j = 0; j < m; ++j)
-      {
-        norm_by_slip[j] = 0;
-        for (int i = 0; i < m; ++i)
-          norm_by_slip[j] += raised[i] * answer.by_slip[i][j] / norm;
-      }
+      for (int i = 0; i < m; ++i)
+        norm_by_slip[j] += raised[i] * answer.by_slip[i][j] / norm;
     for (unsigned int k = 0; k < n_metric; ++k)
       for (int i = 0; i < m; ++i)
         norm_by_metric[k] += raised[i] * answer.by_metric[i][k] / norm;
@@ -85,19 +126,36 @@ namespace NPT
 
     for (int i = 0; i < m; ++i)
       {
-        answer.traction[i]    = factor * trial[i];
-        answer.by_pressure[i] = coefficient * trial[i] / norm;
+        const double t        = trial.covariant[i];
+        answer.traction[i]    = factor * t;
+        answer.by_pressure[i] = coefficient_ * t / norm;
         for (int j = 0; j < m; ++j)
           answer.by_slip[i][j] =
-            factor * (answer.by_slip[i][j] - trial[i] * norm_by_slip[j] / norm);
+            factor * (answer.by_slip[i][j] - t * norm_by_slip[j] / norm);
         for (unsigned int k = 0; k < n_metric; ++k)
           answer.by_metric[i][k] =
-            factor *
-            (answer.by_metric[i][k] - trial[i] * norm_by_metric[k] / norm);
+            factor * (answer.by_metric[i][k] - t * norm_by_metric[k] / norm);
       }
-    return answer;
   }
 
-  template struct CoulombFriction<1>;
-  template struct CoulombFriction<2>;
+  template class CoulombFriction<1>;
+  template class CoulombFriction<2>;
+
+  namespace
+  {
+    template <int m>
+    NamedFrictionLaw<m>
+    named()
+    {
+      return {"traction up to mu times the pressure, (12)-(14)",
+              [](const FrictionParameters &parameters) {
+                return std::make_unique<CoulombFriction<m>>(
+                  parameters.coefficient, parameters.tangential_penalty);
+              }};
+    }
+    const Registry<NamedFrictionLaw<1>>::Registration in_plane("Coulomb",
+                                                               named<1>());
+    const Registry<NamedFrictionLaw<2>>::Registration in_space("Coulomb",
+                                                               named<2>());
+  } // namespace
 } // namespace NPT

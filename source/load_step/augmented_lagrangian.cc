@@ -13,12 +13,16 @@ namespace NPT
   using dealii::Vector;
 
   ContactStepReport
-  solve_contact_step(const NewtonParameters                   &newton,
-                     const ContactParameters                  &parameters,
-                     const NewtonProblem                      &problem,
-                     const std::vector<ContactAssembler<3> *> &contacts,
-                     Vector<double>                           &x)
+  solve_contact_step(const NewtonParameters                    &newton,
+                     const ContactParameters                   &parameters,
+                     const NewtonProblem                       &problem,
+                     const std::vector<const ContactPair<3> *> &contacts,
+                     std::vector<ContactStep<3>>               &steps,
+                     const std::vector<ContactEvaluation<3>>   &evaluations,
+                     Vector<double>                            &x)
   {
+    AssertDimension(steps.size(), contacts.size());
+    AssertDimension(evaluations.size(), contacts.size());
     ContactStepReport report;
     report.newton         = solve_newton(newton, problem, x);
     report.final_residual = report.newton.residual_norms.back();
@@ -31,11 +35,12 @@ namespace NPT
     for (unsigned int k = 0;; ++k)
       {
         double gap = 0, slip = 0;
-        for (ContactAssembler<3> *contact : contacts)
+        for (unsigned int c = 0; c < contacts.size(); ++c)
           {
-            const auto violation = contact->violation();
-            gap                  = std::max(gap, violation.gap);
-            slip                 = std::max(slip, violation.slip);
+            const auto violation =
+              contacts[c]->violation(steps[c], evaluations[c]);
+            gap  = std::max(gap, violation.gap);
+            slip = std::max(slip, violation.slip);
           }
         if (gap <= parameters.penetration_tolerance &&
             slip <= parameters.stick_tolerance)
@@ -58,24 +63,12 @@ namespace NPT
         const double growth = k >= n_patient && slow ? 4. : 1.;
         previous_gap        = gap;
         previous_slip       = slip;
-        for (ContactAssembler<3> *contact : contacts)
-          contact->augment(growth);
+        for (unsigned int c = 0; c < contacts.size(); ++c)
+          contacts[c]->augment(steps[c], evaluations[c], growth);
         const NewtonReport more = solve_newton(newton, problem, x);
         report.newton.iterations += more.iterations;
         report.final_residual = more.residual_norms.back();
       }
   }
 
-
-
-  void
-  start_friction(ContactAssembler<3> &contact, const Vector<double> &u)
-  {
-    contact.start_step(u);
-    contact.evaluate(u);
-    auto history = contact.history();
-    contact.commit();
-    history.closest = contact.history().closest;
-    contact.set_history(history);
-  }
 } // namespace NPT

@@ -3,7 +3,7 @@
 
 #include <npt_dealii/contact/contact_parameters.h>
 #include <npt_dealii/contact/coulomb_friction.h>
-#include <npt_dealii/contact/normal_law.h>
+#include <npt_dealii/contact/penalty_law.h>
 #include <npt_dealii/contact/surface_metric.h>
 
 #include <catch2/catch.hpp>
@@ -37,7 +37,7 @@ namespace
 TEST_CASE("Pressure and slope of the normal law are derivatives of its energy",
           "[contact]")
 {
-  const NormalLaw law{100.};
+  const PenaltyLaw law(100.);
   CHECK(!law(0.01).active);
   CHECK(law(0.01).pressure == 0.);
   CHECK(law(-0.02).pressure == Approx(-2.)); // 100 * 0.02 by hand

@@ -4,7 +4,7 @@
 #ifndef npt_dealii_contact_contact_fields_h
 #define npt_dealii_contact_contact_fields_h
 
-#include <npt_dealii/contact/contact_assembler.h>
+#include <npt_dealii/contact/contact_pair.h>
 #include <npt_dealii/iga/iga_space.h>
 #include <npt_dealii/io/vtu_file.h>
 
@@ -23,7 +23,8 @@ namespace NPT
                       const unsigned int            patch,
                       const unsigned int            direction,
                       const unsigned int            side,
-                      const ContactAssembler<3>    &contact,
+                      const ContactPair<3>         &contact,
+                      const ContactEvaluation<3>   &evaluation,
                       const dealii::Vector<double> &u);
 } // namespace NPT
 

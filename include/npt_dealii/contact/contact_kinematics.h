@@ -72,6 +72,42 @@ namespace NPT
                          std::array<double, n * n>   &M) const;
 
   private:
+    using Matrix = std::array<double, n * n>;
+
+    // First variations: delta xi (A8), delta-hat a_a and delta r, delta g (A7),
+    // the same beside a rounded edge (A15), the metric.
+    void
+    set_parameter_variation();
+    void
+    set_total_variations();
+    void
+    set_gap_variation();
+    void
+    round_gap();
+    void
+    set_metric_variation();
+
+    // Second variations: what the moving closest point adds to those of (A7)
+    // and (A8); the turning normal of (A7), where the point moves freely and
+    // where it is held; products and turning normal of (A15).
+    void
+    add_moving_point(const double                 pressure,
+                     const std::array<double, m> &tau,
+                     Matrix                      &M) const;
+    void
+    add_turning_normal(const double pressure, Matrix &M) const;
+    void
+    add_held_directions(const double pressure, Matrix &M) const;
+    void
+    add_edge_products(const double pressure, Matrix &M) const;
+    void
+    add_edge_turning(const double pressure, Matrix &M) const;
+    void
+    add_edge_bending(const int a, const double pressure, Matrix &M) const;
+    // Distance |r| from an edge, or gap.
+    double
+    distance() const;
+
     const ClosestPoint<dim>            &c_;
     SurfaceMatrix<m>                    H_inverse_;
     Row                                 gap_;

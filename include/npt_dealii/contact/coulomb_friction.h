@@ -5,9 +5,7 @@
 #ifndef npt_dealii_contact_coulomb_friction_h
 #define npt_dealii_contact_coulomb_friction_h
 
-#include <npt_dealii/iga/iga_surface.h>
-
-#include <array>
+#include <npt_dealii/contact/friction_law.h>
 
 namespace NPT
 {
@@ -19,42 +17,49 @@ namespace NPT
    *     \|t\|^2 = t_a a^{ab} t_b, \quad
    *     t_a = t^{trial}_a \min(1, \mu |p| / \|t^{trial}\|). @f]
    *
-   * The sign of the slip branch is + ((27) and (42) misprint it): traction
-   * here is work-conjugate to the slip of the secondary relative to the
-   * primary side, as in (22).
+   * The sign of the slip branch is + ((27) and (42) misprint it).
    */
   template <int m>
-  struct CoulombFriction
+  class CoulombFriction : public FrictionLaw<m>
   {
-    double coefficient; ///< mu [-]
-    double penalty;     ///< epsilon_T [N/mm^3]
+  public:
+    using Response                         = FrictionResponse<m>;
+    static constexpr unsigned int n_metric = FrictionLaw<m>::n_metric;
 
-    static constexpr unsigned int n_metric = SymmetricIndices<m>::n_second;
+    /// @param coefficient mu >= 0 [-].
+    /// @param penalty epsilon_T > 0 [N/mm^3].
+    CoulombFriction(const double coefficient, const double penalty);
 
-    struct Response
-    {
-      bool                  slipping    = false;
-      std::array<double, m> traction    = {}; ///< t_a [N/mm^2 * mm]
-      double                dissipation = 0;  ///< per area, this increment
-      double                energy      = 0;  ///< stored by the penalty
-      // Derivatives of t_a by Delta xi^b, |p| and the metric a_11, a_12, a_22
-      // (off-diagonal terms counted once, for the symmetric pair).
-      std::array<std::array<double, m>, m>        by_slip     = {};
-      std::array<double, m>                       by_pressure = {};
-      std::array<std::array<double, n_metric>, m> by_metric   = {};
-    };
+    bool
+    exerts_traction() const override;
+    double
+    penalty() const override;
 
-    /**
-     * @param traction_n Traction t_{a,n} at the last accepted step.
-     * @param slip Increment Delta xi^b since then.
-     * @param metric a_11, a_12, a_22 (averaged).
-     * @param pressure |p| >= 0 [MPa]; zero gives no traction.
-     */
+  protected:
     Response
-    operator()(const std::array<double, m>        &traction_n,
-               const std::array<double, m>        &slip,
-               const std::array<double, n_metric> &metric,
-               const double                        pressure) const;
+    response(const std::array<double, m>        &traction_n,
+             const std::array<double, m>        &slip,
+             const std::array<double, n_metric> &metric,
+             const double                        pressure,
+             const double                        penalty_scale) const override;
+
+  private:
+    // The trial traction t_a, t^a = a^{ab} t_b and its square.
+    struct Trial
+    {
+      std::array<double, m> covariant, contravariant;
+      double                norm_square = 0;
+    };
+    // Scale the trial traction, and its derivatives in the response, to the
+    // limit.
+    void
+    slide(const Trial &trial,
+          const double pressure,
+          const double penalty,
+          Response    &answer) const;
+
+    const double coefficient_;
+    const double penalty_;
   };
 } // namespace NPT
 

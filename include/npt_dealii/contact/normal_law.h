@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines the answer of a contact node to its gap.
+// Defines what every normal law answers to the gap of a contact node.
 
 #ifndef npt_dealii_contact_normal_law_h
 #define npt_dealii_contact_normal_law_h
 
+#include <npt_dealii/base/registry.h>
+#include <npt_dealii/contact/contact_parameters.h>
+
+#include <functional>
+#include <memory>
+
 namespace NPT
 {
   /**
-   * Penalty law (23), (39), with a multiplier for the augmented Lagrangian,
-   *
-   * @f[ p = \min(0, \lambda + \epsilon_N g) \le 0 \; [MPa], @f]
-   *
-   * where lambda <= 0 is fixed during Newton's method (zero: pure penalty).
+   * The pressure p(g, lambda) <= 0 of a contact node [MPa] by its gap g > 0
+   * (open) and the multiplier lambda <= 0 of the augmented Lagrangian, which
+   * is fixed during Newton's method (zero: none).
    */
-  struct NormalLaw
+  class NormalLaw
   {
-    double penalty; ///< epsilon_N [N/mm^3]
+  public:
+    virtual ~NormalLaw() = default;
 
     struct Response
     {
@@ -25,17 +30,32 @@ namespace NPT
       double energy;   ///< per area, with dE/dg = p [N/mm]
     };
 
+    /// @param penalty_scale Factor by which the penalty has grown.
     Response
-    operator()(const double gap, const double multiplier = 0.) const
+    operator()(const double gap,
+               const double multiplier    = 0.,
+               const double penalty_scale = 1.) const
     {
-      const double p = multiplier + penalty * gap;
-      if (p < 0.)
-        return {true,
-                p,
-                penalty,
-                0.5 * (p * p - multiplier * multiplier) / penalty};
-      return {false, 0., 0., -0.5 * multiplier * multiplier / penalty};
+      return response(gap, multiplier, penalty_scale);
     }
+
+    /// Stiffness that turns an error of pressure into one of the gap [N/mm^3].
+    virtual double
+    penalty() const = 0;
+
+  protected:
+    virtual Response
+    response(const double gap,
+             const double multiplier,
+             const double penalty_scale) const = 0;
+  };
+
+  /// A normal law by its name, for Registry.
+  struct NamedNormalLaw
+  {
+    std::string text; ///< one line for the user
+    std::function<std::unique_ptr<const NormalLaw>(const ContactParameters &)>
+      make;
   };
 } // namespace NPT
 

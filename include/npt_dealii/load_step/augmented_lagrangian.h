@@ -5,7 +5,7 @@
 #ifndef npt_dealii_load_step_augmented_lagrangian_h
 #define npt_dealii_load_step_augmented_lagrangian_h
 
-#include <npt_dealii/contact/contact_assembler.h>
+#include <npt_dealii/contact/contact_pair.h>
 #include <npt_dealii/load_step/newton.h>
 
 #include <vector>
@@ -26,26 +26,26 @@ namespace NPT
    * augmented Lagrangian repeat with the tractions of the last solution as
    * multipliers until penetration and stick drift are below their tolerances,
    * (A17) of doc/theory.md. Repetitions that gain little make the penalties
-   * grow; see ContactAssembler::augment().
+   * grow; see ContactPair::augment().
+   *
+   * @param contacts The contact pairs.
+   * @param steps    The load step of each pair; the problem's residual refers
+   *   to them. The augmented Lagrangian changes their multipliers.
+   * @param evaluations Of each pair at the displacement that the problem's
+   *   residual has seen last.
    *
    * Throws NewtonNotConverged, "augmentation limit" if
    * ContactParameters::max_augmentations are not enough, and whatever
    * solve_newton() throws.
    */
   ContactStepReport
-  solve_contact_step(const NewtonParameters                   &newton,
-                     const ContactParameters                  &parameters,
-                     const NewtonProblem                      &problem,
-                     const std::vector<ContactAssembler<3> *> &contacts,
-                     dealii::Vector<double>                   &x);
-
-  /**
-   * Let friction begin at the state u: the present closest points are the
-   * reference of the slip, with zero traction. Friction must be switched on
-   * already, see ContactAssembler::set_friction().
-   */
-  void
-  start_friction(ContactAssembler<3> &contact, const dealii::Vector<double> &u);
+  solve_contact_step(const NewtonParameters                    &newton,
+                     const ContactParameters                   &parameters,
+                     const NewtonProblem                       &problem,
+                     const std::vector<const ContactPair<3> *> &contacts,
+                     std::vector<ContactStep<3>>               &steps,
+                     const std::vector<ContactEvaluation<3>>   &evaluations,
+                     dealii::Vector<double>                    &x);
 } // namespace NPT
 
 #endif

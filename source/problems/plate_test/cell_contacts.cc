@@ -8,6 +8,113 @@
 
 namespace NPT
 {
+  namespace
+  {
+    // The surfaces of the base bundles, each made once.
+    class BundleSurfaces
+    {
+    public:
+      BundleSurfaces(const IGASpace<3> &space, const double kink_rounding)
+        : space_(space)
+        , kink_rounding_(kink_rounding)
+      {}
+
+      // Kinks matter on the primary side only, where closest points are sought.
+      const IGASurface<3> &
+      get(const unsigned int bundle,
+          const unsigned int direction,
+          const unsigned int side,
+          const bool         primary)
+      {
+        const IGASurface<3> *&surface =
+          faces_[std::make_tuple(bundle, direction, side, primary)];
+        if (surface == nullptr)
+          {
+            surfaces.push_back(std::make_unique<IGASurface<3>>(
+              space_, bundle, direction, side, primary ? kink_rounding_ : 0.));
+            surface = surfaces.back().get();
+          }
+        return *surface;
+      }
+
+      std::vector<std::unique_ptr<IGASurface<3>>> surfaces;
+
+    private:
+      const IGASpace<3> &space_;
+      const double       kink_rounding_;
+      std::map<std::tuple<unsigned int, unsigned int, unsigned int, bool>,
+               const IGASurface<3> *>
+        faces_;
+    };
+
+
+
+    // The image of a surface, with unknowns of its own from first_unknown on.
+    PeriodicImage
+    make_image(const SurfaceImage  &image,
+               const IGASurface<3> &surface,
+               const unsigned int   first_unknown)
+    {
+      PeriodicImage result;
+      result.operation     = image.operation;
+      result.offset_sign   = image.offset_sign;
+      result.first_unknown = first_unknown;
+      for (unsigned int l = 0; l < surface.n_control_points(); ++l)
+        {
+          result.control_points.push_back(surface.control_point(l));
+          result.reference.push_back(
+            image.operation(surface.reference_position(l)));
+        }
+      return result;
+    }
+
+
+
+    ContactSurface<3>
+    make_primary(const PeriodicImage &image,
+                 const IGASurface<3> &surface,
+                 const double         edge_radius)
+    {
+      std::vector<unsigned int> first_dof;
+      for (unsigned int l = 0; l < surface.n_control_points(); ++l)
+        first_dof.push_back(image.first_unknown + 3 * l);
+      const auto       &Q        = image.operation.Q;
+      const bool        mirrored = Q[0] * Q[1] * Q[2] < 0;
+      ContactSurface<3> result(surface, image.reference, first_dof, mirrored);
+      result.set_edge_radius(edge_radius);
+      return result;
+    }
+
+
+
+    // Pieces of one strand continue each other.
+    void
+    join_strands(const std::vector<SurfaceImage> &images,
+                 std::vector<ContactSurface<3>>  &primaries)
+    {
+      for (unsigned int i = 0; i < primaries.size(); ++i)
+        {
+          const SurfaceImage &image        = images[i];
+          int                 neighbors[2] = {-1, -1};
+          for (unsigned int j = 0; j < primaries.size(); ++j)
+            if (images[j].strand == image.strand)
+              {
+                if (images[j].period == image.period - 1)
+                  neighbors[0] = j;
+                if (images[j].period == image.period + 1)
+                  neighbors[1] = j;
+              }
+          primaries[i].set_strand(image.strand,
+                                  image.period,
+                                  neighbors[0],
+                                  neighbors[1],
+                                  image.direction == 2 ? 0 : 1);
+        }
+    }
+  } // namespace
+
+
+
   CellContacts
   make_cell_contacts(const FabricCell         &cell,
                      const IGASpace<3>        &space,
@@ -16,91 +123,32 @@ namespace NPT
                      const double              thickness,
                      MacroUnknowns            &macro)
   {
-    CellContacts result;
-
-    // Surfaces that may touch: faces of base bundles against images.
-    // Kinks matter on the primary side only, where closest points are sought.
-    std::map<std::tuple<unsigned int, unsigned int, unsigned int, bool>,
-             const IGASurface<3> *>
-      faces;
-
-    const auto face = [&](const unsigned int bundle,
-                          const unsigned int direction,
-                          const unsigned int side,
-                          const bool         primary) {
-      const IGASurface<3> *&surface =
-        faces[std::make_tuple(bundle, direction, side, primary)];
-      if (surface == nullptr)
-        {
-          result.surfaces.push_back(
-            std::make_unique<IGASurface<3>>(space,
-                                            bundle,
-                                            direction,
-                                            side,
-                                            primary ? contact.kink_rounding :
-                                                      0.));
-          surface = result.surfaces.back().get();
-        }
-      return surface;
-    };
+    CellContacts   result;
+    BundleSurfaces surfaces(space, contact.kink_rounding);
     for (const ContactCandidates &pair : cell.contacts())
       {
         std::vector<ContactSurface<3>> primaries;
         for (const SurfaceImage &image : pair.primaries)
           {
             const IGASurface<3> &surface =
-              *face(image.bundle, image.direction, image.side, true);
-            PeriodicImage periodic_image;
-            periodic_image.operation     = image.operation;
-            periodic_image.offset_sign   = image.offset_sign;
-            periodic_image.first_unknown = macro.n_unknowns();
-            std::vector<unsigned int> first_dof;
-            for (unsigned int l = 0; l < surface.n_control_points(); ++l)
-              {
-                periodic_image.control_points.push_back(
-                  surface.control_point(l));
-                periodic_image.reference.push_back(
-                  image.operation(surface.reference_position(l)));
-                first_dof.push_back(periodic_image.first_unknown + 3 * l);
-              }
+              surfaces.get(image.bundle, image.direction, image.side, true);
+            result.images.push_back(
+              make_image(image, surface, macro.n_unknowns()));
             macro.n_image_unknowns += 3 * surface.n_control_points();
-            const bool mirrored = image.operation.Q[0] * image.operation.Q[1] *
-                                    image.operation.Q[2] <
-                                  0;
-            primaries.emplace_back(surface,
-                                   periodic_image.reference,
-                                   first_dof,
-                                   mirrored);
-            primaries.back().set_edge_radius(contact.edge_radius * thickness);
-            result.images.push_back(periodic_image);
+            primaries.push_back(make_primary(result.images.back(),
+                                             surface,
+                                             contact.edge_radius * thickness));
           }
-        // Pieces of one strand continue each other.
-        for (unsigned int i = 0; i < primaries.size(); ++i)
-          {
-            const SurfaceImage &image        = pair.primaries[i];
-            int                 neighbors[2] = {-1, -1};
-            for (unsigned int j = 0; j < primaries.size(); ++j)
-              if (pair.primaries[j].strand == image.strand)
-                {
-                  if (pair.primaries[j].period == image.period - 1)
-                    neighbors[0] = j;
-                  if (pair.primaries[j].period == image.period + 1)
-                    neighbors[1] = j;
-                }
-            primaries[i].set_strand(image.strand,
-                                    image.period,
-                                    neighbors[0],
-                                    neighbors[1],
-                                    image.direction == 2 ? 0 : 1);
-          }
+        join_strands(pair.primaries, primaries);
+
         // The edges of crimped neighbors cross like scissors and touch over a
         // fraction of an element: averages over control points would see that
         // only when they are deep in each other, Gauss points see it at once.
         ContactParameters contact_parameters = contact;
         if (pair.direction != 2)
           contact_parameters.method = "KTS";
-        result.assemblers.push_back(std::make_unique<ContactAssembler<3>>(
-          ContactSurface<3>(*face(
+        result.pairs.push_back(std::make_unique<ContactPair<3>>(
+          ContactSurface<3>(surfaces.get(
             pair.secondary_bundle, pair.direction, pair.secondary_side, false)),
           primaries,
           contact_parameters,
@@ -111,8 +159,9 @@ namespace NPT
             [&cell, &pair](const dealii::Point<3> &X) {
               return cell.symmetry_weight(pair.secondary_bundle, X);
             } :
-            ContactAssembler<3>::SymmetryWeight()));
+            ContactPair<3>::SymmetryWeight()));
       }
+    result.surfaces = std::move(surfaces.surfaces);
     return result;
   }
 } // namespace NPT

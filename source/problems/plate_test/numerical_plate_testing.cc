@@ -145,9 +145,13 @@ namespace NPT
                          parameters_.friction,
                          parameters_.cell.bundle_thickness.smaller(),
                          macro_);
-    surfaces_      = std::move(contacts.surfaces);
-    contacts_      = std::move(contacts.assemblers);
-    images_        = std::move(contacts.images);
+    surfaces_ = std::move(contacts.surfaces);
+    contacts_ = std::move(contacts.pairs);
+    images_   = std::move(contacts.images);
+    for (const auto &contact : contacts_)
+      contact_states_.push_back(contact->initial_state());
+    contact_steps_.resize(contacts_.size());
+    contact_evaluations_.resize(contacts_.size());
     linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
 
     // Start: straight bundles whose contact partners are held one (mean)
@@ -164,7 +168,7 @@ namespace NPT
         << parameters_.used_file;
     unsigned int n_nodes = 0;
     for (const auto &contact : contacts_)
-      n_nodes += contact->nodes().size();
+      n_nodes += contact->n_nodes();
     log_.header("npt_dealii",
                 {{"cell", parameters_.cell.type},
                  {"bundles", std::to_string(cell_->bundles().size())},
@@ -255,8 +259,9 @@ namespace NPT
 
     const bool friction_begins = stage.friction && !friction_was_on_;
     friction_was_on_           = stage.friction;
-    for (const auto &contact : contacts_)
-      contact->set_friction(stage.friction);
+    for (unsigned int c = 0; c < contacts_.size(); ++c)
+      contact_states_[c] =
+        contacts_[c]->with_friction(contact_states_[c], stage.friction);
     has_previous_ = false;
     load_factor_  = 0;
     std::vector<unsigned int> shown;
@@ -266,8 +271,9 @@ namespace NPT
     step_table_.show_components(shown);
 
     if (friction_begins)
-      for (const auto &contact : contacts_)
-        start_friction(*contact, u_);
+      for (unsigned int c = 0; c < contacts_.size(); ++c)
+        contact_states_[c] =
+          contacts_[c]->start_friction(contact_states_[c], u_);
   }
 
 
@@ -305,8 +311,8 @@ namespace NPT
     // Only failures of the LoadStepFailure family are survivable.
     try
       {
-        for (const auto &contact : contacts_)
-          contact->start_step(u_);
+        for (unsigned int c = 0; c < contacts_.size(); ++c)
+          contact_steps_[c] = contacts_[c]->begin_step(contact_states_[c], u_);
         Vector<double> x;
         bool           started = false;
         if (has_previous_)
@@ -324,18 +330,21 @@ namespace NPT
             catch (const LoadStepFailure &)
               {
                 // Extrapolated too far; the tangent is the safer guess.
-                for (const auto &contact : contacts_)
-                  contact->start_step(u_);
               }
           }
         if (!started)
           step.follow_tangent(x);
 
-        std::vector<ContactAssembler<3> *> contacts;
+        std::vector<const ContactPair<3> *> contacts;
         for (const auto &contact : contacts_)
           contacts.push_back(contact.get());
-        report_ = solve_contact_step(
-          parameters_.newton, parameters_.contact, step.problem(), contacts, x);
+        report_ = solve_contact_step(parameters_.newton,
+                                     parameters_.contact,
+                                     step.problem(),
+                                     contacts,
+                                     contact_steps_,
+                                     contact_evaluations_,
+                                     x);
         if (parameters_.stability.check_ellipticity)
           {
             TimerOutput::Scope timer(timer_, "Ellipticity");
@@ -392,9 +401,9 @@ namespace NPT
         row.external_work = curve_.back().external_work;
       }
     row.external_work += work;
-    for (const auto &contact : contacts_)
+    for (unsigned int c = 0; c < contacts_.size(); ++c)
       {
-        const auto summary = contact->summary();
+        const auto summary = contacts_[c]->summary(contact_evaluations_[c]);
         row.n_active += summary.n_active;
         row.n_stick += summary.n_stick;
         row.n_slip += summary.n_slip;
@@ -403,7 +412,8 @@ namespace NPT
         row.dissipation += summary.dissipation;
         row.largest_penetration =
           std::max(row.largest_penetration, summary.largest_penetration);
-        contact->commit();
+        contact_states_[c] =
+          contacts_[c]->accept(contact_steps_[c], contact_evaluations_[c]);
       }
     row.stored_energy     = bodies_->stored_energy(u_trial_);
     row.newton_iterations = report_.newton.iterations;
@@ -477,10 +487,12 @@ namespace NPT
     {
       TimerOutput::Scope timer(timer_, "Residual: contact");
       Vector<double>     force(macro_.n_unknowns());
-      for (const auto &contact : contacts_)
+      for (unsigned int c = 0; c < contacts_.size(); ++c)
         {
-          contact->evaluate(u);
-          contact->add_residual(force);
+          const ContactStep<3> &step       = contact_steps_[c];
+          ContactEvaluation<3> &evaluation = contact_evaluations_[c];
+          contacts_[c]->evaluate(step, u, evaluation);
+          contacts_[c]->add_residual(step, evaluation, force);
         }
       residual += force;
       // Convergence is measured against the forces before they cancel: those
@@ -504,9 +516,12 @@ namespace NPT
     TimerOutput::Scope timer(timer_, "Pattern");
     const double margin = 0.02 * parameters_.cell.bundle_thickness.smaller();
     std::vector<std::vector<unsigned int>> couplings;
-    for (const auto &contact : contacts_)
+    for (unsigned int c = 0; c < contacts_.size(); ++c)
       {
-        const auto more = contact->coupled_unknowns(margin);
+        const auto more =
+          contacts_[c]->coupled_unknowns(contact_steps_[c],
+                                         contact_evaluations_[c],
+                                         margin);
         couplings.insert(couplings.end(), more.begin(), more.end());
       }
     system_.build_pattern(couplings);
@@ -525,12 +540,15 @@ namespace NPT
         system_.set_zero();
         {
           TimerOutput::Scope timer(timer_, "Tangent: contact");
-          for (const auto &contact : contacts_)
-            contact->add_tangent([&](const std::vector<unsigned int> &unknowns,
-                                     const std::vector<double>       &K) {
-              if (!system_.add(unknowns, K))
-                pattern_is_current_ = false;
-            });
+          for (unsigned int c = 0; c < contacts_.size(); ++c)
+            contacts_[c]->add_tangent(
+              contact_steps_[c],
+              contact_evaluations_[c],
+              [&](const std::vector<unsigned int> &unknowns,
+                  const std::vector<double>       &K) {
+                if (!system_.add(unknowns, K))
+                  pattern_is_current_ = false;
+              });
         }
         for (unsigned int k = 0; k < foundation_.size(); ++k)
           if (foundation_[k] > 0.)

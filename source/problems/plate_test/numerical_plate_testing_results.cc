@@ -166,6 +166,7 @@ namespace NPT
                                       pair.direction,
                                       pair.secondary_side,
                                       *contacts_[k],
+                                      contact_evaluations_[k],
                                       u_));
         contact_files_.emplace_back(time, name);
       }

@@ -99,12 +99,14 @@ namespace NPT
     std::vector<ContactSurface<3>> primary(1, ContactSurface<3>(*surfaces_[1]));
     primary[0].set_edge_radius(parameters_.contact.edge_radius *
                                model_.body_height);
-    contact_ = std::make_unique<ContactAssembler<3>>(
-      ContactSurface<3>(*surfaces_[0]),
-      primary,
-      parameters_.contact,
-      parameters_.friction,
-      parameters_.contact.maximum_penetration * model_.body_height);
+    contact_ =
+      std::make_unique<ContactPair<3>>(ContactSurface<3>(*surfaces_[0]),
+                                       primary,
+                                       parameters_.contact,
+                                       parameters_.friction,
+                                       parameters_.contact.maximum_penetration *
+                                         model_.body_height);
+    contact_state_ = contact_->initial_state();
 
     const unsigned int n_handles = model_.handles.size();
     HandleCouplings    couplings(bodies_->space());
@@ -147,7 +149,7 @@ namespace NPT
                  {"independent unknowns",
                   std::to_string(system_.n_independent())},
                  {"contact nodes",
-                  std::to_string(contact_->nodes().size()) + " (" +
+                  std::to_string(contact_->n_nodes()) + " (" +
                     parameters_.contact.method + ")"}});
   }
 
@@ -179,9 +181,9 @@ namespace NPT
 
     const bool friction_begins = stage.friction && !friction_was_on_;
     friction_was_on_           = stage.friction;
-    contact_->set_friction(stage.friction);
+    contact_state_ = contact_->with_friction(contact_state_, stage.friction);
     if (friction_begins)
-      start_friction(*contact_, u_);
+      contact_state_ = contact_->start_friction(contact_state_, u_);
   }
 
 
@@ -216,7 +218,7 @@ namespace NPT
 
     try
       {
-        contact_->start_step(u_);
+        contact_step_[0] = contact_->begin_step(contact_state_, u_);
         Vector<double> x;
         if (system_.n_free() == 0)
           {
@@ -231,6 +233,8 @@ namespace NPT
                                                parameters_.contact,
                                                step.problem(),
                                                {contact_.get()},
+                                               contact_step_,
+                                               contact_evaluation_,
                                                x);
         report_           = report.newton;
         return true;
@@ -268,7 +272,7 @@ namespace NPT
         row.force.push_back(handle.reaction);
       }
 
-    const auto summary      = contact_->summary();
+    const auto summary      = contact_->summary(contact_evaluation_[0]);
     row.n_active            = summary.n_active;
     row.n_stick             = summary.n_stick;
     row.n_slip              = summary.n_slip;
@@ -277,7 +281,7 @@ namespace NPT
                       model_.force_factor * summary.dissipation;
     row.iterations = report_.iterations;
     balance(row);
-    contact_->commit();
+    contact_state_ = contact_->accept(contact_step_[0], contact_evaluation_[0]);
 
     if (table_)
       {
@@ -323,8 +327,8 @@ namespace NPT
     const double solids = bodies_->add_residual(u, residual);
 
     Vector<double> force(u.size());
-    contact_->evaluate(u);
-    contact_->add_residual(force);
+    contact_->evaluate(contact_step_[0], u, contact_evaluation_[0]);
+    contact_->add_residual(contact_step_[0], contact_evaluation_[0], force);
     residual += force;
     for (unsigned int k = 0; k < handles_.size(); ++k)
       if (handles_[k].by_force)
@@ -342,16 +346,21 @@ namespace NPT
       {
         if (!pattern_is_current_)
           {
-            system_.build_pattern(contact_->coupled_unknowns(
-              1e-3 * parameters_.benchmark.half_width));
+            system_.build_pattern(
+              contact_->coupled_unknowns(contact_step_[0],
+                                         contact_evaluation_[0],
+                                         1e-3 *
+                                           parameters_.benchmark.half_width));
             pattern_is_current_ = true;
           }
         system_.set_zero();
-        contact_->add_tangent([&](const std::vector<unsigned int> &unknowns,
+        contact_->add_tangent(contact_step_[0],
+                              contact_evaluation_[0],
+                              [&](const std::vector<unsigned int> &unknowns,
                                   const std::vector<double>       &K) {
-          if (!system_.add(unknowns, K))
-            pattern_is_current_ = false;
-        });
+                                if (!system_.add(unknowns, K))
+                                  pattern_is_current_ = false;
+                              });
         if (!pattern_is_current_)
           continue; // a new coupling appeared: widen the pattern
         bodies_->add_tangent(u, cell_groups_, system_);
@@ -366,7 +375,7 @@ namespace NPT
   ContactBenchmark::balance(ContactRow &row) const
   {
     Vector<double> force(u_.size());
-    contact_->add_residual(force);
+    contact_->add_residual(contact_step_[0], contact_evaluation_[0], force);
     Tensor<1, 3> sum, moment;
     double       forces = 0, moments = 0;
     for (unsigned int A = 0; A < bodies_->space().n_control_points(); ++A)

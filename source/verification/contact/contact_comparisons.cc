@@ -88,13 +88,14 @@ namespace NPT
     // Gauss point is what its area carries.
     const auto                &points = contact_->quadrature_points();
     std::vector<ContactSample> result(points.size());
-    for (unsigned int I = 0; I < contact_->nodes().size(); ++I)
+    for (unsigned int I = 0; I < contact_->n_nodes(); ++I)
       {
-        const auto &state = contact_->nodes()[I];
+        const auto &state = contact_evaluation_[0].nodes[I];
         const auto &node  = contact_->averaging().nodes()[I];
         if (!state.active)
           continue;
-        const Tensor<1, 3> traction = contact_->friction_traction(I);
+        const Tensor<1, 3> traction =
+          contact_->friction_traction(contact_evaluation_[0], I);
         for (const auto &entry : node.entries)
           {
             // R^I at the point.
@@ -317,9 +318,9 @@ namespace NPT
   {
     // Between the outermost sticking and the innermost slipping node.
     double outermost = 0, innermost = std::numeric_limits<double>::max();
-    for (unsigned int I = 0; I < contact_->nodes().size(); ++I)
+    for (unsigned int I = 0; I < contact_->n_nodes(); ++I)
       {
-        const auto &state = contact_->nodes()[I];
+        const auto &state = contact_evaluation_[0].nodes[I];
         if (!state.active)
           continue;
         Tensor<1, 3> x;

@@ -108,7 +108,9 @@ namespace
     contact_force() const
     {
       dealii::Vector<double> force(macro_.n_unknowns());
-      contacts_[0]->add_residual(force);
+      contacts_[0]->add_residual(contact_steps_[0],
+                                 contact_evaluations_[0],
+                                 force);
       double      sum   = 0;
       const auto &space = bodies_->space();
       const auto  b     = cell_->contacts()[0].secondary_bundle;

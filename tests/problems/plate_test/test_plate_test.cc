@@ -42,10 +42,14 @@ namespace
     dipole()
     {
       dealii::Vector<double> force(macro_.n_unknowns());
-      for (const auto &contact : contacts_)
+      for (unsigned int c = 0; c < contacts_.size(); ++c)
         {
-          contact->evaluate(u_);
-          contact->add_residual(force);
+          contacts_[c]->evaluate(contact_steps_[c],
+                                 u_,
+                                 contact_evaluations_[c]);
+          contacts_[c]->add_residual(contact_steps_[c],
+                                     contact_evaluations_[c],
+                                     force);
         }
       return contact_dipole(*cell_, bodies_->space(), images_, force);
     }

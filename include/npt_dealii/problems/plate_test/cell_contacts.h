@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Defines the contact of a fabric cell: the surfaces that may touch, the images
-// they meet in neighboring cells, and an assembler for each pair.
+// they meet in neighboring cells, and the contact pairs.
 
 #ifndef npt_dealii_problems_plate_test_cell_contacts_h
 #define npt_dealii_problems_plate_test_cell_contacts_h
 
-#include <npt_dealii/contact/contact_assembler.h>
+#include <npt_dealii/contact/contact_pair.h>
 #include <npt_dealii/fabric/fabric_cell.h>
 #include <npt_dealii/homogenization/fabric_couplings.h>
 #include <npt_dealii/homogenization/macro_unknowns.h>
@@ -19,7 +19,7 @@ namespace NPT
   {
     std::vector<std::unique_ptr<IGASurface<3>>> surfaces; ///< of base bundles
     /// One for each entry of FabricCell::contacts(); they refer to surfaces.
-    std::vector<std::unique_ptr<ContactAssembler<3>>> assemblers;
+    std::vector<std::unique_ptr<ContactPair<3>>> pairs;
     /// The images, whose control points have unknowns of their own.
     std::vector<PeriodicImage> images;
   };

@@ -6,7 +6,7 @@
 #define npt_dealii_problems_plate_test_numerical_plate_testing_h
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/contact/contact_assembler.h>
+#include <npt_dealii/contact/contact_pair.h>
 #include <npt_dealii/fabric/fabric_cell.h>
 #include <npt_dealii/homogenization/fabric_couplings.h>
 #include <npt_dealii/homogenization/macro_unknowns.h>
@@ -144,14 +144,18 @@ namespace NPT
     const double              cpu_start_;
 
     // The cell and its discretization.
-    std::unique_ptr<FabricCell>                       cell_;
-    std::unique_ptr<DeformableBodies>                 bodies_; // bundles
-    std::vector<std::unique_ptr<IGASurface<3>>>       surfaces_;
-    std::vector<std::unique_ptr<ContactAssembler<3>>> contacts_;
-    MacroUnknowns                                     macro_;
-    std::vector<PeriodicImage>                        images_;
-    std::vector<dealii::Point<3>> woven_; // positions, by control point
-    Pins                          pins_;
+    std::unique_ptr<FabricCell>                  cell_;
+    std::unique_ptr<DeformableBodies>            bodies_; // bundles
+    std::vector<std::unique_ptr<IGASurface<3>>>  surfaces_;
+    std::vector<std::unique_ptr<ContactPair<3>>> contacts_;
+    // Of each pair: accepted state, present load step, last displacement.
+    std::vector<ContactState<3>>      contact_states_;
+    std::vector<ContactStep<3>>       contact_steps_;
+    std::vector<ContactEvaluation<3>> contact_evaluations_;
+    MacroUnknowns                     macro_;
+    std::vector<PeriodicImage>        images_;
+    std::vector<dealii::Point<3>>     woven_; // positions, by control point
+    Pins                              pins_;
 
     // The system of the present stage.
     ConstrainedSystem             system_;

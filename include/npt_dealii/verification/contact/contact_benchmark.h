@@ -5,7 +5,7 @@
 #ifndef npt_dealii_verification_contact_contact_benchmark_h
 #define npt_dealii_verification_contact_contact_benchmark_h
 
-#include <npt_dealii/contact/contact_assembler.h>
+#include <npt_dealii/contact/contact_pair.h>
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/linear_algebra/constrained_system.h>
@@ -175,14 +175,18 @@ namespace NPT
     RunLog                           log_;
     const double                     cpu_start_;
 
-    ContactModel                         model_;
-    std::unique_ptr<DeformableBodies>    bodies_;
-    std::unique_ptr<IGASurface<3>>       surfaces_[2]; // secondary, primary
-    std::unique_ptr<ContactAssembler<3>> contact_;
-    ConstrainedSystem                    system_;
-    DeformableBodies::CellGroups         cell_groups_; // in system_
-    std::unique_ptr<LinearSolver>        linear_solver_;
-    bool                                 pattern_is_current_ = false;
+    ContactModel                      model_;
+    std::unique_ptr<DeformableBodies> bodies_;
+    std::unique_ptr<IGASurface<3>>    surfaces_[2]; // secondary, primary
+    std::unique_ptr<ContactPair<3>>   contact_;
+    // Accepted state, present load step, last displacement of the one pair.
+    ContactState<3>                   contact_state_;
+    std::vector<ContactStep<3>>       contact_step_{1};
+    std::vector<ContactEvaluation<3>> contact_evaluation_{1};
+    ConstrainedSystem                 system_;
+    DeformableBodies::CellGroups      cell_groups_; // in system_
+    std::unique_ptr<LinearSolver>     linear_solver_;
+    bool                              pattern_is_current_ = false;
 
     // Handles: how they are driven in this stage.
     struct HandleState

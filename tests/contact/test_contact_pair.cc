@@ -2,14 +2,17 @@
 // Tests of the virtual work of contact: energies, tangents, balances,
 // invariances, and a block on a plane by hand.
 
-#include <npt_dealii/contact/contact_assembler.h>
+#include <npt_dealii/contact/contact_pair.h>
 
 #include "contact_test_tools.h"
 
 using namespace ContactTests;
 using dealii::Vector;
-using NPT::ContactAssembler;
+using NPT::ContactEvaluation;
+using NPT::ContactPair;
 using NPT::ContactParameters;
+using NPT::ContactState;
+using NPT::ContactStep;
 using NPT::FrictionParameters;
 
 namespace
@@ -41,16 +44,19 @@ namespace
   {
     IGASpace<dim>           space;
     IGASurface<dim>         secondary, primary;
-    ContactAssembler<dim>   contact;
+    ContactPair<dim>        contact;
     std::vector<Point<dim>> X;
+    ContactState<dim>       state;
+    ContactStep<dim>        step;
+    ContactEvaluation<dim>  evaluation;
 
-    Pair(const std::vector<NURBSPatch<dim>> &patches,
-         const ContactParameters            &parameters,
-         const double                        mu    = 0.,
-         const Basis                         basis = Basis::NURBS,
-         const typename ContactAssembler<dim>::SymmetryWeight &symmetry_weight =
-           {},
-         const std::string &slip_measure = slip_measures[0])
+    Pair(const std::vector<NURBSPatch<dim>>              &patches,
+         const ContactParameters                         &parameters,
+         const double                                     mu    = 0.,
+         const Basis                                      basis = Basis::NURBS,
+         const typename ContactPair<dim>::SymmetryWeight &symmetry_weight = {},
+         const std::string &slip_measure        = slip_measures[0],
+         const double       maximum_penetration = 0.6)
       : space(patches, {}, basis)
       , secondary(space, 0, dim - 1, 1)
       , primary(space, 1, dim - 1, 0)
@@ -58,13 +64,11 @@ namespace
                 {rounded(primary)},
                 parameters,
                 friction_parameters(mu, slip_measure),
-                0.6,
+                maximum_penetration,
                 symmetry_weight)
       , X(space.control_points())
-    {
-      if (mu > 0.)
-        contact.set_friction(true);
-    }
+      , state(contact.with_friction(contact.initial_state(), true))
+    {}
 
     static ContactSurface<dim>
     rounded(const IGASurface<dim> &surface)
@@ -101,18 +105,42 @@ namespace
       return u;
     }
 
+    void
+    begin_step(const Vector<double> &u)
+    {
+      step = contact.begin_step(state, u);
+    }
+
+    void
+    evaluate(const Vector<double> &u)
+    {
+      contact.evaluate(step, u, evaluation);
+    }
+
+    void
+    accept()
+    {
+      state = contact.accept(step, evaluation);
+    }
+
+    NPT::ContactSummary
+    summary() const
+    {
+      return contact.summary(evaluation);
+    }
+
     Vector<double>
-    residual()
+    residual() const
     {
       Vector<double> r(n());
-      contact.add_residual(r);
+      contact.add_residual(step, evaluation, r);
       return r;
     }
 
     Vector<double>
     residual(const Vector<double> &u)
     {
-      contact.evaluate(u);
+      evaluate(u);
       return residual();
     }
 
@@ -121,17 +149,19 @@ namespace
     tangent_times(const Vector<double> &d) const
     {
       Vector<double> Kd(n()), KTd(n());
-      contact.add_tangent([&](const std::vector<unsigned int> &dofs,
+      contact.add_tangent(step,
+                          evaluation,
+                          [&](const std::vector<unsigned int> &dofs,
                               const std::vector<double>       &K) {
-        const unsigned int size = dofs.size();
-        REQUIRE(K.size() == size * size);
-        for (unsigned int i = 0; i < size; ++i)
-          for (unsigned int j = 0; j < size; ++j)
-            {
-              Kd[dofs[i]] += K[i * size + j] * d[dofs[j]];
-              KTd[dofs[j]] += K[i * size + j] * d[dofs[i]];
-            }
-      });
+                            const unsigned int size = dofs.size();
+                            REQUIRE(K.size() == size * size);
+                            for (unsigned int i = 0; i < size; ++i)
+                              for (unsigned int j = 0; j < size; ++j)
+                                {
+                                  Kd[dofs[i]] += K[i * size + j] * d[dofs[j]];
+                                  KTd[dofs[j]] += K[i * size + j] * d[dofs[i]];
+                                }
+                          });
       return {Kd, KTd};
     }
 
@@ -298,14 +328,14 @@ namespace
   void
   follow(Pair<dim> &pair, const std::array<Vector<double>, 3> &u)
   {
-    pair.contact.start_step(u[0]);
-    pair.contact.evaluate(u[0]);
-    pair.contact.commit();
-    pair.contact.start_step(u[0]);
-    pair.contact.evaluate(u[1]);
-    pair.contact.commit();
-    pair.contact.start_step(u[1]);
-    pair.contact.evaluate(u[2]);
+    pair.begin_step(u[0]);
+    pair.evaluate(u[0]);
+    pair.accept();
+    pair.begin_step(u[0]);
+    pair.evaluate(u[1]);
+    pair.accept();
+    pair.begin_step(u[1]);
+    pair.evaluate(u[2]);
   }
 
   template <int dim>
@@ -314,7 +344,7 @@ namespace
   {
     const double h = 1e-6; // error h^2 plus 1e-16/h, both 1e-10 of K d
     const auto   d = random_direction<dim>(pair.n(), 77);
-    pair.contact.evaluate(u);
+    pair.evaluate(u);
     const auto Kd   = pair.tangent_times(d).first;
     auto       plus = u, minus = u;
     plus.add(h, d);
@@ -322,7 +352,7 @@ namespace
     auto difference_quotient = pair.residual(plus);
     difference_quotient -= pair.residual(minus);
     difference_quotient /= 2 * h;
-    pair.contact.evaluate(u);
+    pair.evaluate(u);
     if (Kd.l2_norm() == 0. && difference_quotient.l2_norm() == 0.)
       return 0.;
     return difference(Kd, difference_quotient);
@@ -338,21 +368,21 @@ namespace
     Pair<dim> pair(curved_pair<dim>(p), contact_parameters(method));
     auto      u = pair.zero();
     u += random_direction<dim>(pair.n(), 3, 0.01);
-    pair.contact.start_step(u);
+    pair.begin_step(u);
     const auto r       = pair.residual(u);
-    const auto summary = pair.contact.summary();
+    const auto summary = pair.summary();
     CHECK(summary.n_active > 2);
-    CHECK(summary.n_active < pair.contact.nodes().size());
+    CHECK(summary.n_active < pair.evaluation.nodes.size());
 
     const double h    = 1e-6; // error h^2 and 1e-16/h
     const auto   d    = random_direction<dim>(pair.n(), 5);
     auto         plus = u, minus = u;
     plus.add(h, d);
     minus.add(-h, d);
-    pair.contact.evaluate(plus);
-    const double up = pair.contact.summary().energy;
-    pair.contact.evaluate(minus);
-    const double down = pair.contact.summary().energy;
+    pair.evaluate(plus);
+    const double up = pair.summary().energy;
+    pair.evaluate(minus);
+    const double down = pair.summary().energy;
     CHECK(std::abs((up - down) / (2 * h) - r * d) < 1e-7 * std::abs(r * d));
 
     CHECK(tangent_error(pair, u) < 1e-6);
@@ -381,7 +411,7 @@ namespace
     for (auto &v : u)
       v = rotated(pair, v, angle);
     follow(pair, u);
-    const auto summary = pair.contact.summary();
+    const auto summary = pair.summary();
     INFO(summary.n_stick << " sticking, " << summary.n_slip << " slipping");
     if (mu == 20.)
       CHECK((summary.n_stick > 2 && summary.n_slip == 0));
@@ -390,10 +420,72 @@ namespace
     else
       CHECK((summary.n_slip > 0 && summary.n_stick > 0));
     double traction = 0.;
-    for (const auto &t : pair.contact.history().traction)
+    for (const auto &t : pair.state.traction)
       traction = std::max(traction, std::abs(t[0]));
     CHECK(traction > 1e-3);
     CHECK(tangent_error(pair, u[2]) < 1e-6);
+  }
+
+  // The virtual work of any rigid motion is zero: forces and moments balance,
+  // to rounding.
+  void
+  check_balance(const Pair<3> &pair, const Vector<double> &u)
+  {
+    const auto   r = pair.residual();
+    Tensor<1, 3> force, moment;
+    double       size = 0.;
+    for (unsigned int A = 0; A < pair.X.size(); ++A)
+      {
+        Tensor<1, 3> f, arm({7., -5., 3.}); // about some point
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            f[i] = r[3 * A + i];
+            arm[i] += pair.X[A][i] + u[3 * A + i];
+          }
+        force += f;
+        moment += cross_product_3d(arm, f);
+        size += f.norm();
+      }
+    CHECK(size > 0.1);
+    CHECK(force.norm() < 1e-14 * size);
+    CHECK(moment.norm() < 1e-13 * size);
+    CHECK(pair.force(r, 0).norm() > 0.1 * size);
+  }
+
+  // A primary body so thin that the middle of the other one is behind it.
+  template <int dim>
+  void
+  check_rejected_points(const std::string &method,
+                        const std::string &slip_measure,
+                        const double       mu)
+  {
+    INFO(method << ", " << slip_measure << ", dim " << dim << ", mu " << mu);
+    Pair<dim>  pair(curved_pair<dim>(2),
+                   contact_parameters(method),
+                   mu,
+                   Basis::NURBS,
+                   {},
+                   slip_measure,
+                   0.2);
+    const auto path = frictional_path(pair);
+    follow(pair, path);
+    unsigned int n_rejected = 0, n_mixed = 0;
+    for (unsigned int I = 0; I < pair.contact.n_nodes(); ++I)
+      {
+        unsigned int n[2] = {0, 0};
+        for (const auto &entry : pair.contact.averaging().nodes()[I].entries)
+          ++n[pair.contact.is_admissible(pair.evaluation.closest[entry.point])];
+        n_rejected += n[0];
+        if (pair.evaluation.nodes[I].active && n[0] > 0 && n[1] > 0)
+          ++n_mixed;
+      }
+    CHECK(n_rejected > 0);
+    if (method == "mortar")
+      CHECK(n_mixed > 0); // averages over points of both kinds
+    CHECK(pair.summary().n_active > 2);
+    CHECK(tangent_error(pair, path[2]) < 1e-6);
+    if constexpr (dim == 3)
+      check_balance(pair, path[2]);
   }
 } // namespace
 
@@ -415,6 +507,22 @@ TEST_CASE(
 
 
 
+TEST_CASE("Measures of slip and contact laws are known by name", "[contact]")
+{
+  const auto &measures = NPT::Registry<NPT::NamedSlipMeasure<3>>::instance();
+  CHECK(measures.names() ==
+        std::vector<std::string>{"closest point", "relative displacement"});
+  for (const std::string &name : slip_measures)
+    CHECK(measures.get(name).make() != nullptr);
+  CHECK_THROWS_WITH(measures.get("closest points"),
+                    Catch::Contains("closest point"));
+  CHECK(NPT::Registry<NPT::NamedNormalLaw>::instance().contains("penalty"));
+  CHECK(
+    NPT::Registry<NPT::NamedFrictionLaw<2>>::instance().contains("Coulomb"));
+}
+
+
+
 TEST_CASE("Open surfaces exert no force and have no stiffness", "[contact]")
 {
   for (const std::string &method : methods)
@@ -424,14 +532,16 @@ TEST_CASE("Open surfaces exert no force and have no stiffness", "[contact]")
                                        [](const Point<3> &X) {
                                          return X + Point<3>(0., 0., 0.4);
                                        });
-      pair.contact.start_step(u);
+      pair.begin_step(u);
       CHECK(pair.residual(u).l2_norm() == 0.);
-      CHECK(pair.contact.summary().n_active == 0);
-      CHECK(pair.contact.summary().energy == 0.);
+      CHECK(pair.summary().n_active == 0);
+      CHECK(pair.summary().energy == 0.);
       const auto d = random_direction<3>(pair.n(), 1);
       CHECK(pair.tangent_times(d).first.l2_norm() == 0.);
-      CHECK(pair.contact.coupled_unknowns(0.).empty());
-      CHECK(!pair.contact.coupled_unknowns(1.).empty());
+      CHECK(
+        pair.contact.coupled_unknowns(pair.step, pair.evaluation, 0.).empty());
+      CHECK(
+        !pair.contact.coupled_unknowns(pair.step, pair.evaluation, 1.).empty());
     }
 }
 
@@ -467,18 +577,22 @@ TEST_CASE("The tangent couples no unknowns but those announced", "[contact]")
       follow(pair, frictional_path(pair));
       const unsigned int n = pair.n();
       std::vector<bool>  allowed(n * n);
-      for (const auto &group : pair.contact.coupled_unknowns(0.))
+      for (const auto &group :
+           pair.contact.coupled_unknowns(pair.step, pair.evaluation, 0.))
         for (const unsigned int i : group)
           for (const unsigned int j : group)
             allowed[i * n + j] = true;
       unsigned int n_outside = 0, n_inside = 0;
-      pair.contact.add_tangent([&](const std::vector<unsigned int> &dofs,
-                                   const std::vector<double>       &K) {
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          for (unsigned int j = 0; j < dofs.size(); ++j)
-            if (K[i * dofs.size() + j] != 0.)
-              ++(allowed[dofs[i] * n + dofs[j]] ? n_inside : n_outside);
-      });
+      pair.contact.add_tangent(
+        pair.step,
+        pair.evaluation,
+        [&](const std::vector<unsigned int> &dofs,
+            const std::vector<double>       &K) {
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            for (unsigned int j = 0; j < dofs.size(); ++j)
+              if (K[i * dofs.size() + j] != 0.)
+                ++(allowed[dofs[i] * n + dofs[j]] ? n_inside : n_outside);
+        });
       CHECK(n_outside == 0);
       CHECK(n_inside > 100);
     }
@@ -499,26 +613,26 @@ TEST_CASE("Contact forces balance, and their moments about any point, with "
         Pair<3>    pair(curved_pair<3>(2), contact_parameters(method), mu);
         const auto path = frictional_path(pair);
         follow(pair, path);
-        const auto   r = pair.residual();
-        Tensor<1, 3> force, moment;
-        double       size = 0.;
-        for (unsigned int A = 0; A < pair.X.size(); ++A)
-          {
-            Tensor<1, 3> f, arm({7., -5., 3.}); // about some point
-            for (unsigned int i = 0; i < 3; ++i)
-              {
-                f[i] = r[3 * A + i];
-                arm[i] += pair.X[A][i] + path[2][3 * A + i];
-              }
-            force += f;
-            moment += cross_product_3d(arm, f);
-            size += f.norm();
-          }
-        CHECK(size > 0.1);
-        CHECK(force.norm() < 1e-14 * size);
-        CHECK(moment.norm() < 1e-13 * size);
-        CHECK(pair.force(r, 0).norm() > 0.1 * size);
+        check_balance(pair, path[2]);
+        const auto r    = pair.residual();
+        const auto size = pair.force(r, 0).norm() + pair.force(r, 1).norm();
+        CHECK(size > 0.02);
       }
+}
+
+
+
+TEST_CASE("Points behind the primary body neither press nor slide: the tangent "
+          "remains the derivative of the forces, and these balance",
+          "[contact]")
+{
+  for (const std::string &measure : slip_measures)
+    for (const std::string &method : methods)
+      for (const double mu : {20., 0.05})
+        {
+          check_rejected_points<2>(method, measure, mu);
+          check_rejected_points<3>(method, measure, mu);
+        }
 }
 
 
@@ -539,7 +653,7 @@ TEST_CASE("Turning and moving everything turns the forces and leaves the rest",
       // Rounding of slips: 1e-16 times eps_T / forces.
       CHECK(difference(rotated_vector<3>(a.residual(), 1.1), b.residual()) <
             1e-11);
-      const auto p = a.contact.summary(), q = b.contact.summary();
+      const auto p = a.summary(), q = b.summary();
       CHECK(p.n_slip == q.n_slip);
       CHECK(p.n_stick == q.n_stick);
       CHECK(std::abs(p.energy - q.energy) < 1e-12 * p.energy);
@@ -574,15 +688,15 @@ TEST_CASE("Both C0 bases give the same pressures on polynomial bodies",
                                                  X[1],
                                                  X[2] - 0.01 + 0.01 * X[0]);
                                });
-          pair->contact.start_step(pair->zero());
-          pair->contact.evaluate(pair->zero());
-          pair->contact.commit();
-          pair->contact.evaluate(u);
+          pair->begin_step(pair->zero());
+          pair->evaluate(pair->zero());
+          pair->accept();
+          pair->evaluate(u);
         }
       double error = 0., largest = 0.;
-      for (unsigned int I = 0; I < a.contact.nodes().size(); ++I)
+      for (unsigned int I = 0; I < a.evaluation.nodes.size(); ++I)
         {
-          const auto &s = a.contact.nodes()[I], &t = b.contact.nodes()[I];
+          const auto &s = a.evaluation.nodes[I], &t = b.evaluation.nodes[I];
           error = std::max(
             {error,
              std::abs(s.pressure - t.pressure),
@@ -620,10 +734,10 @@ TEST_CASE("Half of the nodes counted twice gives the force of a symmetric pair",
       // A twist keeps the symmetry.
       for (Pair<3> *pair : {&full, &condensed})
         {
-          pair->contact.start_step(pair->zero());
-          pair->contact.evaluate(pair->zero());
-          pair->contact.commit();
-          pair->contact.evaluate(
+          pair->begin_step(pair->zero());
+          pair->evaluate(pair->zero());
+          pair->accept();
+          pair->evaluate(
             pair->displacement([](const Point<3> &X) { return X; },
                                [](const Point<3> &X) {
                                  return Point<3>(X[0] - 0.05 * X[1],
@@ -648,7 +762,7 @@ TEST_CASE("Half of the nodes counted twice gives the force of a symmetric pair",
         }
       CHECK(difference(sum, r) < 1e-12); // rounding
       CHECK(difference(h, r) > 0.1);     // not the same before folding
-      const auto p = full.contact.summary(), q = condensed.contact.summary();
+      const auto p = full.summary(), q = condensed.summary();
       CHECK(p.n_active == q.n_active);
       CHECK(p.n_slip == q.n_slip);
       CHECK(q.energy == Approx(p.energy).epsilon(1e-12));
@@ -670,7 +784,7 @@ TEST_CASE("What was tried and not accepted leaves no trace, to the last bit",
       const auto d = random_direction<3>(pair.n(), 4);
       const auto K = pair.tangent_times(d).first;
 
-      // Another state, and back.
+      // Another displacement, and back, in the same storage.
       auto other = path[2];
       other.add(0.05, d);
       CHECK(difference(pair.residual(other), r) > 1e-3);
@@ -678,15 +792,18 @@ TEST_CASE("What was tried and not accepted leaves no trace, to the last bit",
       CHECK(pair.tangent_times(d).first == K);
 
       // A rejected step, and the step again.
-      pair.contact.evaluate(other);
-      pair.contact.start_step(path[1]);
+      pair.evaluate(other);
+      pair.begin_step(path[1]);
       CHECK(pair.residual(path[2]) == r);
 
-      // The history put back after an acceptance.
-      const auto history = pair.contact.history();
-      pair.contact.commit();
-      pair.contact.set_history(history);
-      pair.contact.start_step(path[1]);
+      // The same state begins a step again after another was accepted.
+      const ContactState<3> state = pair.state;
+      pair.accept();
+      CHECK(pair.state.traction != state.traction);
+      pair.begin_step(path[2]);
+      pair.evaluate(other);
+      pair.state = state;
+      pair.begin_step(path[1]);
       CHECK(pair.residual(path[2]) == r);
     }
 }
@@ -701,7 +818,7 @@ TEST_CASE("Without friction nothing of friction is computed", "[contact]")
       Pair<3>    off(curved_pair<3>(2), contact_parameters(method), 0.25);
       const auto path = frictional_path(never);
       follow(off, path);
-      off.contact.set_friction(false);
+      off.state = off.contact.with_friction(off.state, false);
       follow(never, path);
       follow(off, path);
       CHECK(never.residual() == off.residual());
@@ -709,23 +826,23 @@ TEST_CASE("Without friction nothing of friction is computed", "[contact]")
       CHECK(never.tangent_times(d).first == off.tangent_times(d).first);
       for (const Pair<3> *pair : {&never, &off})
         {
-          for (const auto &node : pair->contact.nodes())
+          for (const auto &node : pair->evaluation.nodes)
             {
               CHECK(node.slip == std::array<double, 2>{});
               CHECK(node.friction.traction == std::array<double, 2>{});
             }
-          for (const auto &t : pair->contact.history().traction)
+          for (const auto &t : pair->state.traction)
             CHECK(t == std::array<double, 2>{});
-          CHECK(pair->contact.summary().n_slip == 0);
-          CHECK(pair->contact.summary().n_stick == 0);
-          CHECK(pair->contact.summary().dissipation == 0.);
+          CHECK(pair->summary().n_slip == 0);
+          CHECK(pair->summary().n_stick == 0);
+          CHECK(pair->summary().dissipation == 0.);
         }
       // Switched on: the first step starts without slip.
-      off.contact.commit();
-      off.contact.set_friction(true);
-      off.contact.start_step(path[2]);
-      off.contact.evaluate(path[2]);
-      for (const auto &node : off.contact.nodes())
+      off.accept();
+      off.state = off.contact.with_friction(off.state, true);
+      off.begin_step(path[2]);
+      off.evaluate(path[2]);
+      for (const auto &node : off.evaluation.nodes)
         CHECK(std::hypot(node.slip[0], node.slip[1]) < 1e-12);
     }
 }
@@ -763,9 +880,9 @@ TEST_CASE("A block pressed on a plane carries penalty times depth times length",
               },
               [](const Point<2> &X) { return X; });
           };
-          pair.contact.start_step(pair.zero());
-          pair.contact.evaluate(state(0.));
-          pair.contact.commit();
+          pair.begin_step(pair.zero());
+          pair.evaluate(state(0.));
+          pair.accept();
           const double N = 100. * 0.01 * 1.;
 
           // The force on a body is minus its part of the virtual work. Slip
@@ -780,9 +897,9 @@ TEST_CASE("A block pressed on a plane carries penalty times depth times length",
                 work = dissipation = 0.; // the loop from here on
               for (unsigned int i = 1; i <= legs[leg]; ++i)
                 {
-                  pair.contact.start_step(state(position));
+                  pair.begin_step(state(position));
                   position += leg % 2 == 0 ? 0.001 : -0.001;
-                  pair.contact.evaluate(state(position));
+                  pair.evaluate(state(position));
                   const auto r     = pair.residual();
                   const auto force = -1. * pair.force(r, 0);
                   CHECK(std::abs(force[1] + N) < 1e-12); // rounding
@@ -797,9 +914,9 @@ TEST_CASE("A block pressed on a plane carries penalty times depth times length",
                   work -= 0.5 * (force[0] + previous) *
                           (leg % 2 == 0 ? 0.001 : -0.001);
                   previous = force[0];
-                  CHECK(pair.contact.summary().dissipation >= 0.);
-                  dissipation += pair.contact.summary().dissipation;
-                  pair.contact.commit();
+                  CHECK(pair.summary().dissipation >= 0.);
+                  dissipation += pair.summary().dissipation;
+                  pair.accept();
                 }
             }
           // A parallelogram: 2 mu N high, 2 (A - 0.003) wide.

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Defines frictional contact of one secondary surface with its primary
+// surfaces: what a load step refers to, state, residual, consistent tangent.
+
+#ifndef npt_dealii_contact_contact_pair_h
+#define npt_dealii_contact_contact_pair_h
+
+#include <npt_dealii/contact/contact_search.h>
+#include <npt_dealii/contact/normal_law.h>
+#include <npt_dealii/contact/slip_measure.h>
+
+#include <functional>
+#include <memory>
+
+namespace NPT
+{
+  /**
+   * Frictional contact of one secondary surface, (43),
+   *
+   * @f[ C_c = \sum_I W_I \left( p^I \, \delta g^I
+   *           + t_a^I \, \delta\xi^{a,I} \right), @f]
+   *
+   * with the nodes I of Averaging. The three questions of contact are answered
+   * one after the other: evaluate() finds where the surfaces are and how far
+   * apart (projection, averages) and what the laws answer; add_residual()
+   * and add_tangent() say where the traction acts. The assembled virtual work
+   * is delta W_int + C_c = 0 ((15) misprints the sign).
+   *
+   * A pair never changes; what does are values, made in this order:
+   *
+   * @code
+   *   ContactState<dim>      state = pair.initial_state();
+   *   ContactEvaluation<dim> evaluation;
+   *   ContactStep<dim>       step = pair.begin_step(state, u_accepted);
+   *   pair.evaluate(step, u, evaluation); // in every iteration
+   *   pair.add_residual(step, evaluation, residual);
+   *   pair.add_tangent(step, evaluation, add);
+   *   state = pair.accept(step, evaluation);
+   * @endcode
+   *
+   * So a load step is a pure function of (accepted state, increment), and a
+   * rejected one leaves nothing. Slip is measured as Friction/Slip measure
+   * says, see SlipMeasure; what the surfaces answer is up to NormalLaw and
+   * FrictionLaw.
+   *
+   * Unknowns are numbered by the ContactSurface objects; vectors are full
+   * (unconstrained) vectors.
+   */
+  template <int dim>
+  class ContactPair
+  {
+  public:
+    static constexpr int m = dim - 1;
+
+    /// Integer weight of a node in the virtual work, by the reference position
+    /// of its control point or Gauss point; see fabric symmetry (a 2-fold axis
+    /// lets one half of the nodes stand for both).
+    using SymmetryWeight =
+      std::function<unsigned int(const dealii::Point<dim> &)>;
+
+    /**
+     * @param maximum_penetration Deeper closest points are rejected [mm].
+     */
+    ContactPair(const ContactSurface<dim>              &secondary,
+                const std::vector<ContactSurface<dim>> &primaries,
+                const ContactParameters                &contact,
+                const FrictionParameters               &friction,
+                const double                            maximum_penetration,
+                const SymmetryWeight                   &symmetry_weight = {});
+
+    // ----------------------------------------------------- accepted states
+
+    /// No traction, no history, friction off.
+    ContactState<dim>
+    initial_state() const;
+
+    /// The state with friction on, with zero history from now on, or off; a
+    /// state that has it on already goes on with it. Without a friction
+    /// coefficient friction stays off.
+    ContactState<dim>
+    with_friction(const ContactState<dim> &state, const bool on) const;
+
+    /// The state with the closest points of this displacement as reference of
+    /// the slip; nothing else changes. Throws ProjectionLost.
+    ContactState<dim>
+    start_friction(const ContactState<dim>      &state,
+                   const dealii::Vector<double> &displacement) const;
+
+    // ----------------------------------------------------------- load step
+
+    /// Start values and references of a load step: a full search for the
+    /// closest points of the accepted displacement. Throws ProjectionLost if a
+    /// point has none.
+    ContactStep<dim>
+    begin_step(const ContactState<dim>      &state,
+               const dealii::Vector<double> &accepted_displacement) const;
+
+    /// Compute gaps, pressures and tractions at this displacement. The answer
+    /// depends on step and displacement only; the storage of the evaluation is
+    /// used again. Throws ProjectionLost if a point has no closest point.
+    void
+    evaluate(const ContactStep<dim>       &step,
+             const dealii::Vector<double> &displacement,
+             ContactEvaluation<dim>       &evaluation) const;
+
+    /// Add C_c of the evaluated state to a full residual vector.
+    void
+    add_residual(const ContactStep<dim>       &step,
+                 const ContactEvaluation<dim> &evaluation,
+                 dealii::Vector<double>       &residual) const;
+
+    /// Receives unknowns and a dense matrix (row major) to be added.
+    using AddMatrix = std::function<void(const std::vector<unsigned int> &dofs,
+                                         const std::vector<double> &matrix)>;
+    /// Hand the blocks of the consistent tangent of the evaluated state out.
+    void
+    add_tangent(const ContactStep<dim>       &step,
+                const ContactEvaluation<dim> &evaluation,
+                const AddMatrix              &add) const;
+
+    /// Groups of unknowns that the tangent couples, for all nodes that are
+    /// closed or nearer than `margin` [mm].
+    std::vector<std::vector<unsigned int>>
+    coupled_unknowns(const ContactStep<dim>       &step,
+                     const ContactEvaluation<dim> &evaluation,
+                     const double                  margin) const;
+
+    /// The evaluated state as the accepted one.
+    ContactState<dim>
+    accept(const ContactStep<dim>       &step,
+           const ContactEvaluation<dim> &evaluation) const;
+
+    // -------------------------------------------------- augmented Lagrangian
+
+    /// How far the evaluated state is from its multipliers, (A17).
+    ContactViolation
+    violation(const ContactStep<dim>       &step,
+              const ContactEvaluation<dim> &evaluation) const;
+
+    /// Uzawa's update: the evaluated tractions become the multipliers of the
+    /// step, and both penalties grow by a factor >= 1. The step must be
+    /// evaluated anew after that; only accept() makes it part of a state.
+    void
+    augment(ContactStep<dim>             &step,
+            const ContactEvaluation<dim> &evaluation,
+            const double                  growth = 1.) const;
+
+    // -------------------------------------------------------------- results
+
+    ContactSummary
+    summary(const ContactEvaluation<dim> &evaluation) const;
+
+    /// Friction traction of node I on the secondary side, as a vector [MPa].
+    dealii::Tensor<1, dim>
+    friction_traction(const ContactEvaluation<dim> &evaluation,
+                      const unsigned int            I) const;
+
+    /// Slip increment of node I as a vector [mm].
+    dealii::Tensor<1, dim>
+    slip_increment(const ContactEvaluation<dim> &evaluation,
+                   const unsigned int            I) const;
+
+    unsigned int
+    n_nodes() const
+    {
+      return geometry_.averaging.nodes().size();
+    }
+    const Averaging &
+    averaging() const
+    {
+      return geometry_.averaging;
+    }
+    const ContactSurface<dim> &
+    secondary() const
+    {
+      return geometry_.secondary;
+    }
+    const std::vector<typename IGASurface<dim>::QuadraturePoint> &
+    quadrature_points() const
+    {
+      return geometry_.points;
+    }
+    bool
+    is_admissible(const ClosestPoint<dim> &closest_point) const
+    {
+      return geometry_.is_admissible(closest_point);
+    }
+
+  private:
+    // The measure of slip where there is friction, otherwise null.
+    const SlipMeasure<dim> *
+    measure(const bool friction_on) const
+    {
+      return friction_on ? slip_measure_.get() : nullptr;
+    }
+    void
+    assert_sizes(const ContactState<dim> &state) const;
+    // Programmer's mistake: an evaluation of another step, or none.
+    void
+    assert_belongs(const ContactStep<dim>       &step,
+                   const ContactEvaluation<dim> &evaluation) const;
+
+    // Where are the surfaces, and how far? (contact_evaluation.cc)
+    ProjectionStart<dim>
+    find_start(const ContactSearch<dim>    &search,
+               const ContactPositions<dim> &positions,
+               const ProjectionStart<dim>  &accepted,
+               const unsigned int           q) const;
+    void
+    find_closest(const ContactView<dim> &view,
+                 const unsigned int      q,
+                 ClosestPoint<dim>      &closest) const;
+    void
+    search_anew(const ContactView<dim> &view,
+                const unsigned int      q,
+                ClosestPoint<dim>      &closest) const;
+    void
+    try_neighbor(const ContactView<dim> &view,
+                 const unsigned int      q,
+                 ClosestPoint<dim>      &closest) const;
+
+    // What do the laws answer?
+    void
+    evaluate_node(const ContactView<dim> &view,
+                  const unsigned int      I,
+                  NodeState<dim>         &state) const;
+    void
+    load_points(const unsigned int I, ContactEvaluation<dim> &evaluation) const;
+
+    // Where does the traction act? (contact_virtual_work.cc)
+    void
+    point_functions(const ContactView<dim> &view,
+                    const unsigned int      q,
+                    PointFunctions<dim>    &functions) const;
+    unsigned int
+    n_variations(const ContactView<dim> &view) const;
+    void
+    point_variations(const ContactView<dim>       &view,
+                     const unsigned int            q,
+                     const ContactKinematics<dim> &kinematics,
+                     const PointFunctions<dim>    &functions,
+                     Variations<dim>              &variations) const;
+    // slot is scratch: position of an unknown in the average, else invalid.
+    void
+    average_variations(const ContactView<dim>             &view,
+                       const unsigned int                  I,
+                       const std::vector<Variations<dim>> &of_points,
+                       std::vector<unsigned int>          &slot,
+                       Variations<dim>                    &average) const;
+    // Terms of the tangent: all second variations, and products of first
+    // variations with the derivatives of the laws.
+    void
+    add_second_variations(const ContactView<dim>       &view,
+                          const unsigned int            q,
+                          const ContactKinematics<dim> &kinematics,
+                          const PointFunctions<dim>    &functions,
+                          std::vector<double>          &block) const;
+    void
+    add_first_variations(const ContactView<dim> &view,
+                         const unsigned int      I,
+                         const Variations<dim>  &variations,
+                         std::vector<double>    &block) const;
+    // Loaded points that share all their functions.
+    std::vector<std::vector<unsigned int>>
+    groups_of_points(const ContactView<dim> &view) const;
+    // Blocks of single points, whose first variations are kept, and of nodes.
+    void
+    add_tangent_of_points(const ContactView<dim>       &view,
+                          std::vector<Variations<dim>> &of_points,
+                          const AddMatrix              &add) const;
+    void
+    add_tangent_of_nodes(const ContactView<dim>             &view,
+                         const std::vector<Variations<dim>> &of_points,
+                         const AddMatrix                    &add) const;
+
+    const ContactGeometry<dim>                    geometry_;
+    const bool                                    nodes_are_points_;
+    const bool                                    augmented_;
+    const std::unique_ptr<const NormalLaw>        normal_law_;
+    const std::unique_ptr<const FrictionLaw<m>>   friction_law_;
+    const std::unique_ptr<const SlipMeasure<dim>> slip_measure_;
+    std::vector<unsigned int>                     symmetry_weight_; // by node
+  };
+} // namespace NPT
+
+#endif

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Load steps of a contact pair: search, gaps, slip, laws at the nodes.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/contact/contact_pair.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+namespace NPT
+{
+  using dealii::Point;
+  using dealii::Vector;
+
+  namespace
+  {
+    // Numbers from 1; assertions compare them, results never depend on them.
+    unsigned long
+    new_serial()
+    {
+      static std::atomic<unsigned long> last{0};
+      return ++last;
+    }
+
+
+
+    [[noreturn]] void
+    throw_lost(const unsigned int q)
+    {
+      throw ProjectionLost("contact point " + std::to_string(q) +
+                           " finds no closest point on any surface");
+    }
+  } // namespace
+
+
+
+  // ---------------------------------------------------------- begin of a step
+
+  template <int dim>
+  ContactStep<dim>
+  ContactPair<dim>::begin_step(const ContactState<dim> &state,
+                               const Vector<double>    &accepted) const
+  {
+    assert_sizes(state);
+    ContactStep<dim> step;
+    step.friction_on         = state.friction_on;
+    step.multiplier          = state.multiplier;
+    step.traction_multiplier = state.traction;
+    step.penalty_scale       = state.penalty_scale;
+    step.serial              = new_serial();
+
+    ContactPositions<dim> positions;
+    geometry_.update_positions(accepted, positions);
+    const ContactSearch<dim> search(geometry_.primaries, positions.primaries);
+    step.starts.resize(geometry_.points.size());
+    for (unsigned int q = 0; q < geometry_.points.size(); ++q)
+      step.starts[q] = find_start(search, positions, state.closest[q], q);
+
+    if (const SlipMeasure<dim> *slip_measure = measure(step.friction_on))
+      slip_measure->set_references(geometry_, state, positions, step);
+    return step;
+  }
+
+
+
+  template <int dim>
+  ProjectionStart<dim>
+  ContactPair<dim>::find_start(const ContactSearch<dim>    &search,
+                               const ContactPositions<dim> &positions,
+                               const ProjectionStart<dim>  &accepted,
+                               const unsigned int           q) const
+  {
+    const Point<dim> x          = geometry_.position(positions, q);
+    auto             candidates = search.nearest(x, 3);
+    if (accepted.known)
+      candidates.push_back(accepted);
+
+    // Of the candidates on the near side the closest one wins; a point
+    // behind the body may look closer but belongs to the far side.
+    ProjectionStart<dim> start;
+    ClosestPoint<dim>    c;
+    double               best = std::numeric_limits<double>::max();
+    for (const auto &candidate : candidates)
+      {
+        project(geometry_.primaries[candidate.surface],
+                positions.primaries[candidate.surface],
+                x,
+                candidate.u,
+                false,
+                c);
+        if (!c.found)
+          continue;
+        const double distance =
+          c.r.norm() + (geometry_.is_admissible(c) ? 0. : 1e6);
+        // A later candidate must be better by more than round-off.
+        if (distance < best * (1 - 1e-9))
+          {
+            best          = distance;
+            start.known   = true;
+            start.surface = candidate.surface;
+            start.u       = c.u;
+          }
+      }
+    if (!start.known)
+      throw_lost(q);
+    return start;
+  }
+
+
+
+  // ------------------------------------- where are the surfaces, and how far?
+
+  template <int dim>
+  void
+  ContactPair<dim>::find_closest(const ContactView<dim> &view,
+                                 const unsigned int      q,
+                                 ClosestPoint<dim>      &closest) const
+  {
+    // Always from the start of the step: the answer must not depend on
+    // the states tried before.
+    const ProjectionStart<dim> &start = view.step.starts[q];
+    const SlipMeasure<dim>     *slip  = measure(view.step.friction_on);
+    project(geometry_.primaries[start.surface],
+            view.evaluation.positions.primaries[start.surface],
+            geometry_.position(view.evaluation.positions, q),
+            start.u,
+            slip != nullptr && slip->follows_closest_point(),
+            closest);
+    if (!closest.found)
+      {
+        search_anew(view, q, closest);
+        return;
+      }
+    closest.surface = start.surface;
+    try_neighbor(view, q, closest);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::search_anew(const ContactView<dim> &view,
+                                const unsigned int      q,
+                                ClosestPoint<dim>      &closest) const
+  {
+    // The warm start failed: search anew among the positions of now.
+    const auto             &primaries = view.evaluation.positions.primaries;
+    const SlipMeasure<dim> *slip      = measure(view.step.friction_on);
+    const Point<dim> x = geometry_.position(view.evaluation.positions, q);
+    const ContactSearch<dim> search(geometry_.primaries, primaries);
+    for (const auto &candidate : search.nearest(x, 4))
+      {
+        project(geometry_.primaries[candidate.surface],
+                primaries[candidate.surface],
+                x,
+                candidate.u,
+                slip != nullptr && slip->follows_closest_point(),
+                closest);
+        if (closest.found)
+          {
+            closest.surface = candidate.surface;
+            return;
+          }
+      }
+    throw_lost(q);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::try_neighbor(const ContactView<dim> &view,
+                                 const unsigned int      q,
+                                 ClosestPoint<dim>      &closest) const
+  {
+    // At the end of a piece its neighbor on the strand may be closer.
+    const ContactSurface<dim> &piece = geometry_.primaries[closest.surface];
+    const int                  along = piece.along();
+    if (closest.free[along])
+      return;
+    const auto        &breaks = piece.surface().knot_vector(along).breaks();
+    const unsigned int side   = closest.u[along] >= breaks.back() ? 1 : 0;
+    const int          next   = piece.neighbor(side);
+    if (next < 0 || (side == 0 && closest.u[along] > breaks.front()))
+      return;
+
+    const auto &next_breaks =
+      geometry_.primaries[next].surface().knot_vector(along).breaks();
+    std::array<double, m> u = closest.u;
+    u[along] = side == 1 ? next_breaks.front() : next_breaks.back();
+    const SlipMeasure<dim> *slip = measure(view.step.friction_on);
+    ClosestPoint<dim>       other;
+    project(geometry_.primaries[next],
+            view.evaluation.positions.primaries[next],
+            geometry_.position(view.evaluation.positions, q),
+            u,
+            slip != nullptr && slip->follows_closest_point(),
+            other);
+    if (other.found && other.r.norm() < closest.r.norm() * (1 - 1e-12))
+      {
+        closest         = other;
+        closest.surface = next;
+      }
+  }
+
+
+
+  // ------------------------------------------------- what do the laws answer?
+
+  template <int dim>
+  void
+  ContactPair<dim>::evaluate_node(const ContactView<dim> &view,
+                                  const unsigned int      I,
+                                  NodeState<dim>         &state) const
+  {
+    const ContactStep<dim> &step = view.step;
+    state                        = NodeState<dim>();
+    for (const auto &entry : geometry_.averaging.nodes()[I].entries)
+      {
+        const ClosestPoint<dim> &c = view.evaluation.closest[entry.point];
+        state.gap +=
+          entry.weight *
+          (geometry_.is_admissible(c) ? c.gap : geometry_.maximum_penetration);
+      }
+    const auto normal =
+      (*normal_law_)(state.gap, step.multiplier[I], step.penalty_scale);
+    state.active   = normal.active;
+    state.pressure = normal.pressure;
+    state.slope    = normal.slope;
+    state.energy   = normal.energy;
+
+    const SlipMeasure<dim> *slip_measure = measure(step.friction_on);
+    if (!state.active || slip_measure == nullptr)
+      return;
+    typename SlipMeasure<dim>::Metric metric;
+    slip_measure->evaluate_node(view, I, state.slip, metric);
+    state.friction = (*friction_law_)(step.traction_multiplier[I],
+                                      state.slip,
+                                      metric,
+                                      -state.pressure,
+                                      step.penalty_scale);
+    state.slipping = state.friction.slipping;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::load_points(const unsigned int      I,
+                                ContactEvaluation<dim> &evaluation) const
+  {
+    const auto           &node  = geometry_.averaging.nodes()[I];
+    const NodeState<dim> &state = evaluation.nodes[I];
+    const double          W     = symmetry_weight_[I] * node.area;
+    if (!state.active || !(W > 0.))
+      return;
+    for (const auto &entry : node.entries)
+      if (geometry_.is_admissible(evaluation.closest[entry.point]))
+        {
+          evaluation.point_loaded[entry.point] = true;
+          evaluation.point_pressure[entry.point] +=
+            W * entry.weight * state.pressure;
+          for (int a = 0; a < m; ++a)
+            evaluation.point_traction[entry.point][a] +=
+              W * entry.weight * state.friction.traction[a];
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::evaluate(const ContactStep<dim> &step,
+                             const Vector<double>   &displacement,
+                             ContactEvaluation<dim> &evaluation) const
+  {
+    const unsigned int n_points = geometry_.points.size();
+    AssertDimension(step.starts.size(), n_points);
+    AssertDimension(step.multiplier.size(), n_nodes());
+    const SlipMeasure<dim> *slip_measure = measure(step.friction_on);
+    const ContactView<dim>  view{geometry_, step, evaluation};
+    evaluation.serial      = 0; // half a state if the projection throws
+    evaluation.friction_on = step.friction_on;
+
+    geometry_.update_positions(displacement, evaluation.positions);
+    evaluation.closest.resize(n_points);
+    evaluation.slip.resize(n_points);
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        find_closest(view, q, evaluation.closest[q]);
+        if (slip_measure != nullptr)
+          slip_measure->evaluate_point(view, q, evaluation.slip[q]);
+      }
+
+    evaluation.point_pressure.assign(n_points, 0.);
+    evaluation.point_traction.assign(n_points, std::array<double, m>{});
+    evaluation.point_loaded.assign(n_points, false);
+    evaluation.nodes.resize(n_nodes());
+    for (unsigned int I = 0; I < n_nodes(); ++I)
+      {
+        evaluate_node(view, I, evaluation.nodes[I]);
+        load_points(I, evaluation);
+      }
+    evaluation.serial = step.serial;
+  }
+
+
+
+  // ---------------------------------------------------- augmented Lagrangian
+
+  template <int dim>
+  void
+  ContactPair<dim>::augment(ContactStep<dim>             &step,
+                            const ContactEvaluation<dim> &evaluation,
+                            const double                  growth) const
+  {
+    assert_belongs(step, evaluation);
+    step.penalty_scale *= growth;
+    for (unsigned int I = 0; I < n_nodes(); ++I)
+      {
+        step.multiplier[I]          = evaluation.nodes[I].pressure;
+        step.traction_multiplier[I] = evaluation.nodes[I].friction.traction;
+      }
+    step.serial = new_serial();
+  }
+
+
+
+#define NPT_INSTANTIATE(dim)                                                \
+  template ContactStep<dim> ContactPair<dim>::begin_step(                   \
+    const ContactState<dim> &, const Vector<double> &) const;               \
+  template void ContactPair<dim>::evaluate(const ContactStep<dim> &,        \
+                                           const Vector<double> &,          \
+                                           ContactEvaluation<dim> &) const; \
+  template void ContactPair<dim>::augment(ContactStep<dim> &,               \
+                                          const ContactEvaluation<dim> &,   \
+                                          const double) const;
+  NPT_INSTANTIATE(2)
+  NPT_INSTANTIATE(3)
+#undef NPT_INSTANTIATE
+} // namespace NPT

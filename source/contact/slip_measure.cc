@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Components of traction and slip on averaged tangents.
+
+#include <npt_dealii/contact/slip_measure.h>
+
+namespace NPT
+{
+  using dealii::Tensor;
+
+  template <int dim>
+  SurfaceMatrix<SlipMeasure<dim>::m>
+  SlipMeasure<dim>::traction_metric(const ContactView<dim> &view,
+                                    const unsigned int      I) const
+  {
+    SurfaceMatrix<m> metric = {};
+    for (const auto &entry : view.geometry.averaging.nodes()[I].entries)
+      {
+        const auto &tangent = tangents(view.evaluation, entry.point);
+        for (int a = 0; a < m; ++a)
+          for (int b = 0; b < m; ++b)
+            metric[a][b] += entry.weight * (tangent[a] * tangent[b]);
+      }
+    return traction_is_covariant() ? invert_symmetric<m>(metric) : metric;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  SlipMeasure<dim>::tangent_vector(const Averaging::Node        &node,
+                                   const ContactEvaluation<dim> &evaluation,
+                                   const std::array<double, m>  &v,
+                                   const bool covariant) const
+  {
+    std::array<Tensor<1, dim>, m> tangent;
+    for (const auto &entry : node.entries)
+      for (int a = 0; a < m; ++a)
+        tangent[a] += entry.weight * tangents(evaluation, entry.point)[a];
+    SurfaceMatrix<m> metric;
+    for (int a = 0; a < m; ++a)
+      for (int b = 0; b < m; ++b)
+        metric[a][b] = tangent[a] * tangent[b];
+    const auto     inverse = invert_symmetric<m>(metric);
+    Tensor<1, dim> result;
+    for (int a = 0; a < m; ++a)
+      for (int b = 0; b < m; ++b)
+        result += (covariant ? inverse[a][b] :
+                   a == b    ? 1. :
+                               0.) *
+                  v[b] * tangent[a];
+    return result;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  SlipMeasure<dim>::traction_vector(const Averaging::Node        &node,
+                                    const ContactEvaluation<dim> &evaluation,
+                                    const std::array<double, m> &traction) const
+  {
+    return tangent_vector(node, evaluation, traction, traction_is_covariant());
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  SlipMeasure<dim>::slip_vector(const Averaging::Node        &node,
+                                const ContactEvaluation<dim> &evaluation,
+                                const std::array<double, m>  &slip) const
+  {
+    return tangent_vector(node, evaluation, slip, !traction_is_covariant());
+  }
+
+  template class SlipMeasure<2>;
+  template class SlipMeasure<3>;
+} // namespace NPT
