@@ -12,6 +12,7 @@ namespace NPT
     const dealii::AffineConstraints<double> &constraints,
     const unsigned int                       n_unknowns)
   {
+    has_pattern_ = false;
     independent_.clear();
     index_.assign(n_unknowns, -1);
     for (unsigned int i = 0; i < n_unknowns; ++i)
@@ -101,21 +102,21 @@ namespace NPT
     Group group;
     for (const unsigned int i : unknowns)
       for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
-        group.masters.push_back(row_column_[k]);
-    std::sort(group.masters.begin(), group.masters.end());
-    group.masters.erase(std::unique(group.masters.begin(), group.masters.end()),
-                        group.masters.end());
+        group.columns.push_back(row_column_[k]);
+    std::sort(group.columns.begin(), group.columns.end());
+    group.columns.erase(std::unique(group.columns.begin(), group.columns.end()),
+                        group.columns.end());
 
     group.start.push_back(0);
-    group.simple = group.masters.size() == unknowns.size();
+    group.simple = group.columns.size() == unknowns.size();
     for (const unsigned int i : unknowns)
       {
         for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
           {
-            group.local.push_back(std::lower_bound(group.masters.begin(),
-                                                   group.masters.end(),
+            group.local.push_back(std::lower_bound(group.columns.begin(),
+                                                   group.columns.end(),
                                                    row_column_[k]) -
-                                  group.masters.begin());
+                                  group.columns.begin());
             group.coefficient.push_back(row_value_[k]);
           }
         group.start.push_back(group.local.size());
@@ -129,18 +130,18 @@ namespace NPT
   bool
   ConstrainedSystem::find_positions(Group &group) const
   {
-    const std::size_t n = group.masters.size();
+    const std::size_t n = group.columns.size();
     group.positions.resize(n * n);
     for (std::size_t a = 0; a < n; ++a)
       {
         // Both lists are sorted: one pass per row.
-        int       at  = matrix_.row_start[group.masters[a]];
-        const int end = matrix_.row_start[group.masters[a] + 1];
+        int       at  = matrix_.row_start[group.columns[a]];
+        const int end = matrix_.row_start[group.columns[a] + 1];
         for (std::size_t b = 0; b < n; ++b)
           {
-            while (at < end && matrix_.columns[at] < group.masters[b])
+            while (at < end && matrix_.columns[at] < group.columns[b])
               ++at;
-            if (at == end || matrix_.columns[at] != group.masters[b])
+            if (at == end || matrix_.columns[at] != group.columns[b])
               return false;
             group.positions[a * n + b] = at;
           }
@@ -153,6 +154,7 @@ namespace NPT
   unsigned int
   ConstrainedSystem::add_group(const std::vector<unsigned int> &unknowns)
   {
+    has_pattern_ = false;
     groups_.push_back(make_group(unknowns));
     return groups_.size() - 1;
   }
@@ -172,7 +174,7 @@ namespace NPT
     std::vector<std::vector<const Group *>> member(independent_.size());
     for (const auto *list : {&groups_, &extra})
       for (const Group &group : *list)
-        for (const int a : group.masters)
+        for (const int a : group.columns)
           member[a].push_back(&group);
 
     std::vector<std::vector<int>> rows(independent_.size());
@@ -183,7 +185,7 @@ namespace NPT
         marker[a] = a;
         rows[a].push_back(a);
         for (const Group *group : member[a])
-          for (const int b : group->masters)
+          for (const int b : group->columns)
             if (marker[b] != a)
               {
                 marker[b] = a;
@@ -197,6 +199,7 @@ namespace NPT
         (void)found;
         Assert(found, dealii::ExcInternalError());
       }
+    has_pattern_ = true;
   }
 
 
@@ -206,7 +209,7 @@ namespace NPT
                          const std::vector<double> &K,
                          const double               factor)
   {
-    const std::size_t n = group.start.size() - 1, n_m = group.masters.size();
+    const std::size_t n = group.start.size() - 1, n_m = group.columns.size();
     AssertDimension(K.size(), n * n);
     double *values = matrix_.values.data();
     if (group.simple)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The loop of the augmented Lagrangian around Newton's method.
+// Repetitions of the augmented Lagrangian and growth of its penalties.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/load_step/augmented_lagrangian.h>
@@ -10,65 +10,46 @@
 
 namespace NPT
 {
-  using dealii::Vector;
-
-  ContactStepReport
-  solve_contact_step(const NewtonParameters                    &newton,
-                     const ContactParameters                   &parameters,
-                     const NewtonProblem                       &problem,
-                     const std::vector<const ContactPair<3> *> &contacts,
-                     std::vector<ContactStep<3>>               &steps,
-                     const std::vector<ContactEvaluation<3>>   &evaluations,
-                     Vector<double>                            &x)
+  namespace
   {
-    AssertDimension(steps.size(), contacts.size());
-    AssertDimension(evaluations.size(), contacts.size());
-    ContactStepReport report;
-    report.newton         = solve_newton(newton, problem, x);
-    report.final_residual = report.newton.residual_norms.back();
-    if (!parameters.augmented())
-      return report;
-
+    // Repetitions before penalties may grow, and by how much they do.
     constexpr unsigned int n_patient     = 5;
-    double                 previous_gap  = std::numeric_limits<double>::max();
-    double                 previous_slip = previous_gap;
-    for (unsigned int k = 0;; ++k)
-      {
-        double gap = 0, slip = 0;
-        for (unsigned int c = 0; c < contacts.size(); ++c)
-          {
-            const auto violation =
-              contacts[c]->violation(steps[c], evaluations[c]);
-            gap  = std::max(gap, violation.gap);
-            slip = std::max(slip, violation.slip);
-          }
-        if (gap <= parameters.penetration_tolerance &&
-            slip <= parameters.stick_tolerance)
-          return report;
-        if (k == parameters.max_augmentations)
-          {
-            std::ostringstream detail;
-            detail << "gap " << gap << " mm, stick drift " << slip
-                   << " mm after " << k
-                   << " augmentations. A larger penalty takes fewer of them.";
-            throw NewtonNotConverged("augmentation limit", detail.str());
-          }
-        // A penalty that is small against the stiffness of the bodies gains
-        // little per repetition: after some of them let it grow, and keep it
-        // for the next steps. The solution does not depend on it.
-        const bool slow =
-          gap >
-            std::max(parameters.penetration_tolerance, 0.5 * previous_gap) ||
-          slip > std::max(parameters.stick_tolerance, 0.5 * previous_slip);
-        const double growth = k >= n_patient && slow ? 4. : 1.;
-        previous_gap        = gap;
-        previous_slip       = slip;
-        for (unsigned int c = 0; c < contacts.size(); ++c)
-          contacts[c]->augment(steps[c], evaluations[c], growth);
-        const NewtonReport more = solve_newton(newton, problem, x);
-        report.newton.iterations += more.iterations;
-        report.final_residual = more.residual_norms.back();
-      }
+    constexpr double       growth_factor = 4.;
+  } // namespace
+
+
+
+  AugmentedLagrangian::AugmentedLagrangian(const ContactParameters &parameters)
+    : parameters_(parameters)
+  {
+    previous_.gap = previous_.slip = std::numeric_limits<double>::max();
   }
 
+
+
+  std::optional<double>
+  AugmentedLagrangian::next_growth(const ContactViolation &violation)
+  {
+    if (!parameters_.augmented())
+      return {};
+    const double gap_tolerance  = parameters_.penetration_tolerance;
+    const double slip_tolerance = parameters_.stick_tolerance;
+    if (violation.gap <= gap_tolerance && violation.slip <= slip_tolerance)
+      return {};
+    if (n_repetitions_ == parameters_.max_augmentations)
+      {
+        std::ostringstream detail;
+        detail << "gap " << violation.gap << " mm, stick drift "
+               << violation.slip << " mm after " << n_repetitions_
+               << " augmentations. A larger penalty takes fewer of them.";
+        throw NewtonNotConverged("augmentation limit", detail.str());
+      }
+    const bool slow =
+      violation.gap > std::max(gap_tolerance, 0.5 * previous_.gap) ||
+      violation.slip > std::max(slip_tolerance, 0.5 * previous_.slip);
+    const bool grow = n_repetitions_ >= n_patient && slow;
+    previous_       = violation;
+    ++n_repetitions_;
+    return grow ? growth_factor : 1.;
+  }
 } // namespace NPT

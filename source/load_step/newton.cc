@@ -120,117 +120,153 @@ namespace NPT
 
 
 
-  NewtonReport
-  solve_newton(const NewtonParameters &parameters,
-               const NewtonProblem    &problem,
-               Vector<double>         &x)
+  namespace
   {
-    NewtonReport   report;
-    Vector<double> r(x.size()), rhs(x.size()), dx(x.size()), x_trial(x.size());
-    auto          &norms = report.residual_norms;
+    // The iteration of one call of solve_newton().
+    class NewtonIteration
+    {
+    public:
+      NewtonIteration(const NewtonParameters &parameters,
+                      const NewtonProblem    &problem,
+                      Vector<double>         &x)
+        : parameters_(parameters)
+        , problem_(problem)
+        , x_(x)
+        , r_(x.size())
+        , rhs_(x.size())
+        , dx_(x.size())
+        , x_trial_(x.size())
+      {}
 
-    const auto tolerance = [&]() {
-      return std::max(parameters.relative_tolerance * report.force_scale,
-                      parameters.absolute_tolerance);
-    };
-    const auto evaluate = [&](const Vector<double> &at) {
-      ++report.n_residuals;
-      problem.residual(at, r);
-      report.force_scale = problem.force_scale();
-      // In debug mode l2_norm() aborts on what a trial may well produce, and on
-      // a system without unknowns.
-      double sum = 0;
-      for (const double component : r)
-        sum += std::abs(component);
-      return std::isfinite(sum) && r.size() > 0 ? r.l2_norm() : sum;
-    };
-    const auto fail = [&](const std::string &reason, const std::string &why) {
-      std::ostringstream detail;
-      detail << why << (why.empty() ? "" : " ") << "Residual norms [N]:";
-      const std::size_t n_shown = std::min<std::size_t>(norms.size(), 8);
-      if (n_shown < norms.size())
-        detail << " ...";
-      for (std::size_t k = norms.size() - n_shown; k < norms.size(); ++k)
-        detail << ' ' << norms[k];
-      detail << "; tolerance " << tolerance() << " after " << report.iterations
-             << " iterations";
-      if (!report.state_summaries.empty())
-        detail << "; " << report.state_summaries.back();
-      throw NewtonNotConverged(reason, detail.str() + ".");
-    };
-
-    double norm = evaluate(x);
-    if (!std::isfinite(norm))
-      fail("invalid residual", "The residual of the start is not finite.");
-
-    for (;;)
+      NewtonReport
+      run(const Vector<double> *residual_at_start)
       {
-        norms.push_back(norm);
-        if (problem.state_summary)
-          report.state_summaries.push_back(problem.state_summary());
+        double norm = 0;
+        if (residual_at_start != nullptr)
+          {
+            r_   = *residual_at_start;
+            norm = measure();
+          }
+        else
+          norm = evaluate(x_);
+        if (!std::isfinite(norm))
+          fail("invalid residual", "The residual of the start is not finite.");
+        while (!converged(norm))
+          {
+            problem_.prepare_tangent(x_);
+            rhs_.equ(-1., r_);
+            problem_.solve(rhs_, dx_);
+            norm = parameters_.line_search ? search_along() : full_step();
+            ++report_.iterations;
+          }
+        return report_;
+      }
 
+    private:
+      double
+      tolerance() const
+      {
+        return std::max(parameters_.relative_tolerance * report_.force_scale,
+                        parameters_.absolute_tolerance);
+      }
+
+      // Norm of the present residual.
+      double
+      measure()
+      {
+        report_.force_scale = problem_.force_scale();
+        // In debug mode l2_norm() aborts on what a trial may well produce, and
+        // on a system without unknowns.
+        double sum = 0;
+        for (const double component : r_)
+          sum += std::abs(component);
+        return std::isfinite(sum) && r_.size() > 0 ? r_.l2_norm() : sum;
+      }
+
+      double
+      evaluate(const Vector<double> &at)
+      {
+        ++report_.n_residuals;
+        problem_.residual(at, r_);
+        return measure();
+      }
+
+      // Record the norm and judge it; throws if there is no hope.
+      bool
+      converged(const double norm)
+      {
+        auto &norms = report_.residual_norms;
+        norms.push_back(norm);
+        if (problem_.state_summary)
+          report_.state_summaries.push_back(problem_.state_summary());
         if (norm <= tolerance())
           {
-            report.converged = true;
-            return report;
+            report_.converged = true;
+            return true;
           }
-        if (report.force_scale > 0 &&
-            norm > divergence_factor * report.force_scale)
+        if (report_.force_scale > 0 &&
+            norm > divergence_factor * report_.force_scale)
           fail("diverged", "");
         // A constant norm has every period; it deserves its own name.
         if (repeats(norms, 1))
-          fail("stagnated", "");
+          fail<NewtonStalled>("stagnated", "");
         for (const unsigned int period : {2, 3})
           if (repeats(norms, period))
-            fail("active set cycling",
-                 "Period " + std::to_string(period) + ".");
-        if (report.iterations >= parameters.max_iterations)
+            fail<NewtonStalled>("active set cycling",
+                                "Period " + std::to_string(period) + ".");
+        if (report_.iterations >= parameters_.max_iterations)
           fail("iteration limit", "");
+        return false;
+      }
 
-        problem.prepare_tangent(x);
-        rhs.equ(-1., r);
-        problem.solve(rhs, dx);
+      double
+      full_step()
+      {
+        x_ += dx_;
+        const double norm = evaluate(x_);
+        if (!std::isfinite(norm))
+          fail("invalid residual",
+               "The residual is not finite after a full step.");
+        return norm;
+      }
 
-        if (!parameters.line_search)
-          {
-            x += dx;
-            norm = evaluate(x);
-            if (!std::isfinite(norm))
-              fail("invalid residual",
-                   "The residual is not finite after a full step.");
-            ++report.iterations;
-            continue;
-          }
-
+      // Halve the correction until it is accepted.
+      double
+      search_along()
+      {
+        const auto       &norms = report_.residual_norms;
         const std::size_t memory =
-          std::min<std::size_t>(parameters.nonmonotone_memory, norms.size());
+          std::min<std::size_t>(parameters_.nonmonotone_memory, norms.size());
         const double reference =
           *std::max_element(norms.end() - memory, norms.end());
         double       alpha     = 1;
         double       best      = std::numeric_limits<double>::infinity();
         unsigned int n_refused = 0;
         std::string  last_refusal;
-        bool         accepted = false;
-        for (unsigned int cut = 0; cut <= parameters.max_halvings; ++cut)
+        for (unsigned int cut = 0; cut <= parameters_.max_halvings; ++cut)
           {
             if (cut > 0)
               {
                 alpha *= 0.5;
-                ++report.n_line_search_cuts;
+                ++report_.n_line_search_cuts;
               }
-            x_trial = x;
-            x_trial.add(alpha, dx);
+            x_trial_ = x_;
+            x_trial_.add(alpha, dx_);
             try
               {
-                norm = evaluate(x_trial);
+                const double norm = evaluate(x_trial_);
                 if (!std::isfinite(norm))
-                  throw LoadStepFailure("invalid residual", "not finite");
+                  {
+                    ++n_refused;
+                    last_refusal = "invalid residual: not finite";
+                    continue;
+                  }
                 best = std::min(best, norm);
                 if (norm <= (1 - sufficient_decrease * alpha) * reference ||
                     norm <= tolerance())
                   {
-                    accepted = true;
-                    break;
+                    x_.swap(x_trial_);
+                    return norm;
                   }
               }
             catch (const LoadStepFailure &failure)
@@ -239,19 +275,50 @@ namespace NPT
                 last_refusal = failure.what();
               }
           }
-        if (!accepted)
-          {
-            std::ostringstream why;
-            why << "Best residual of " << parameters.max_halvings + 1
-                << " trials " << best << " where " << reference
-                << " had to be undercut";
-            if (n_refused > 0)
-              why << "; " << n_refused << " trials could not be evaluated ("
-                  << last_refusal << ")";
-            fail("line search failed", why.str() + ".");
-          }
-        x.swap(x_trial);
-        ++report.iterations;
+        std::ostringstream why;
+        why << "Best residual of " << parameters_.max_halvings + 1 << " trials "
+            << best << " where " << reference << " had to be undercut";
+        if (n_refused > 0)
+          why << "; " << n_refused << " trials could not be evaluated ("
+              << last_refusal << ")";
+        fail("line search failed", why.str() + ".");
       }
+
+      template <typename Failure = NewtonNotConverged>
+      [[noreturn]] void
+      fail(const std::string &reason, const std::string &why) const
+      {
+        const auto        &norms = report_.residual_norms;
+        std::ostringstream detail;
+        detail << why << (why.empty() ? "" : " ") << "Residual norms [N]:";
+        const std::size_t n_shown = std::min<std::size_t>(norms.size(), 8);
+        if (n_shown < norms.size())
+          detail << " ...";
+        for (std::size_t k = norms.size() - n_shown; k < norms.size(); ++k)
+          detail << ' ' << norms[k];
+        detail << "; tolerance " << tolerance() << " after "
+               << report_.iterations << " iterations";
+        if (!report_.state_summaries.empty())
+          detail << "; " << report_.state_summaries.back();
+        throw Failure(reason, detail.str() + ".");
+      }
+
+      const NewtonParameters &parameters_;
+      const NewtonProblem    &problem_;
+      NewtonReport            report_;
+      Vector<double>         &x_;
+      Vector<double>          r_, rhs_, dx_, x_trial_;
+    };
+  } // namespace
+
+
+
+  NewtonReport
+  solve_newton(const NewtonParameters &parameters,
+               const NewtonProblem    &problem,
+               Vector<double>         &x,
+               const Vector<double>   *residual_at_start)
+  {
+    return NewtonIteration(parameters, problem, x).run(residual_at_start);
   }
 } // namespace NPT

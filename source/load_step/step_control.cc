@@ -16,23 +16,6 @@ namespace NPT
   {
     // 0.1 is not 1/10 in binary; comparisons of steps forgive that.
     constexpr double tolerance = 1e-9;
-
-    std::string
-    hint(const std::string &reason)
-    {
-      if (reason == "inverted cell" || reason == "loss of ellipticity")
-        return "the state itself may be the limit: look at the fields of the "
-               "last accepted step, refine or reshape the mesh there, or lower "
-               "the target";
-      if (reason == "linear solver failed")
-        return "look for bodies that nothing holds; give a weave a release "
-               "stage, or try another Type in subsection Linear solver";
-      if (reason == "active set cycling" || reason == "stagnated")
-        return "lower the contact penalties or switch on the line search "
-               "(subsection Newton)";
-      return "lower the Minimum step of the stage, lower the contact "
-             "penalties, or raise Maximum iterations (subsection Newton)";
-    }
   } // namespace
 
 
@@ -147,26 +130,24 @@ namespace NPT
 
 
   void
-  StepControl::reject(const std::string &reason)
+  StepControl::reject(const LoadStepFailure &failure)
   {
     Assert(!finished(), dealii::ExcMessage("The stage is finished."));
     ++n_cuts_;
     const unsigned int level = trial_level();
     if (level == 0)
       {
-        // "inverted cell: cell 7 of bundle 1" has its name before the colon.
-        const std::string  short_reason = reason.substr(0, reason.find(':'));
         std::ostringstream message;
         message << (name.empty() ? std::string("The stage") : "Stage " + name)
                 << " was given up at load factor " << load_factor()
-                << ": the step " << step() << " failed (" << reason
+                << ": the step " << step() << " failed (" << failure.what()
                 << ") and half of it is below the Minimum step "
                 << parameters.minimum_step << "; " << n_cuts_
                 << (n_cuts_ == 1 ? " failed step, " : " failed steps, ")
-                << n_accepted_
-                << " accepted. What to try: " << hint(short_reason) << ".";
+                << n_accepted_ << " accepted. What to try: " << failure.advice()
+                << ".";
         throw StageFailed(
-          message.str(), short_reason, name, load_factor(), n_cuts_);
+          message.str(), failure.reason(), name, load_factor(), n_cuts_);
       }
     step_level = level - 1;
   }

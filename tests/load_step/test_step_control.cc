@@ -58,10 +58,10 @@ TEST_CASE("A cut halves the step, success brings it back to the old factors",
   StepControl control(steps(0.1, 1e-3, 0.1));
   control.accept(easy);
   CHECK(control.trial() == 0.2);
-  control.reject("inverted cell");
+  control.reject(InvertedCell("cell 7"));
   CHECK(control.trial() == Approx(0.15));
   CHECK(control.load_factor() == 0.1);
-  control.reject("inverted cell");
+  control.reject(InvertedCell("cell 7"));
   CHECK(control.trial() == Approx(0.125));
   CHECK(control.n_cuts() == 2);
   for (const double factor : {0.125, 0.15, 0.2, 0.3, 0.4})
@@ -104,7 +104,7 @@ TEST_CASE("Any history of cuts and growth ends exactly at 1", "[solver]")
           REQUIRE(control.trial() <= 1);
           random = 1664525 * random + 1013904223;
           if (control.step() > 1e-4 && (random >> 16) % 3 == 0)
-            control.reject("test");
+            control.reject(LoadStepFailure("test", ""));
           else
             control.accept((random >> 20) % 16);
           last = control.load_factor();
@@ -119,11 +119,11 @@ TEST_CASE("A stage that is given up names the place, the reason and a remedy",
 {
   StepControl control(steps(0.1, 0.02, 0.1), "shear");
   control.accept(easy);
-  control.reject("inverted cell");
-  control.reject("projection lost");
+  control.reject(InvertedCell("cell 7"));
+  control.reject(ProjectionLost("point 3"));
   try
     {
-      control.reject("active set cycling");
+      control.reject(NewtonStalled("active set cycling", "Period 2."));
       FAIL("not given up");
     }
   catch (const StageFailed &failure)
@@ -136,4 +136,31 @@ TEST_CASE("A stage that is given up names the place, the reason and a remedy",
       CHECK_THAT(text, Catch::Contains("penalties"));
     }
   CHECK(control.load_factor() == 0.1);
+}
+
+
+
+TEST_CASE("The remedy is that of the failure, not of its name", "[load_step]")
+{
+  const auto message_after = [](const LoadStepFailure &failure) {
+    StepControl control(steps(1., 1., 1.), "shear");
+    try
+      {
+        control.reject(failure);
+      }
+    catch (const StageFailed &given_up)
+      {
+        return std::string(given_up.what());
+      }
+    return std::string("not given up");
+  };
+  CHECK_THAT(message_after(LinearSolverFailed("singular")),
+             Catch::Contains("bodies that nothing holds"));
+  CHECK_THAT(message_after(EllipticityLost("bundle 2")),
+             Catch::Contains("lower the target"));
+  CHECK_THAT(message_after(NewtonNotConverged("iteration limit", "")),
+             Catch::Contains("Maximum iterations"));
+  // The name of another failure in the detail does not mislead.
+  CHECK_THAT(message_after(ProjectionLost("beside an inverted cell: 3")),
+             Catch::Contains("Minimum step"));
 }

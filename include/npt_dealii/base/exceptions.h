@@ -46,16 +46,39 @@ namespace NPT
       return reason_;
     }
 
+    /// What a user may try if no smaller step helps: half a sentence.
+    virtual std::string
+    advice() const
+    {
+      return "lower the Minimum step of the stage, lower the contact "
+             "penalties, or raise Maximum iterations (subsection Newton)";
+    }
+
   private:
     std::string reason_;
   };
 
+  /// A failure whose cause is the state of the material itself.
+  class MaterialFailure : public LoadStepFailure
+  {
+  public:
+    using LoadStepFailure::LoadStepFailure;
+
+    std::string
+    advice() const override
+    {
+      return "the state itself may be the limit: look at the fields of the "
+             "last accepted step, refine or reshape the mesh there, or lower "
+             "the target";
+    }
+  };
+
   /// det F <= 0 (or not finite) at a quadrature point.
-  class InvertedCell : public LoadStepFailure
+  class InvertedCell : public MaterialFailure
   {
   public:
     explicit InvertedCell(const std::string &detail)
-      : LoadStepFailure("inverted cell", detail)
+      : MaterialFailure("inverted cell", detail)
     {}
   };
 
@@ -77,6 +100,20 @@ namespace NPT
     {}
   };
 
+  /// Newton goes round between states of contact, or stands still.
+  class NewtonStalled : public NewtonNotConverged
+  {
+  public:
+    using NewtonNotConverged::NewtonNotConverged;
+
+    std::string
+    advice() const override
+    {
+      return "lower the contact penalties or switch on the line search "
+             "(subsection Newton)";
+    }
+  };
+
   /// The linear solver met a singular matrix or did not converge.
   class LinearSolverFailed : public LoadStepFailure
   {
@@ -84,14 +121,21 @@ namespace NPT
     explicit LinearSolverFailed(const std::string &detail)
       : LoadStepFailure("linear solver failed", detail)
     {}
+
+    std::string
+    advice() const override
+    {
+      return "look for bodies that nothing holds; give a weave a release "
+             "stage, or try another Type in subsection Linear solver";
+    }
   };
 
   /// The acoustic tensor of a material lost its positive definiteness.
-  class EllipticityLost : public LoadStepFailure
+  class EllipticityLost : public MaterialFailure
   {
   public:
     explicit EllipticityLost(const std::string &detail)
-      : LoadStepFailure("loss of ellipticity", detail)
+      : MaterialFailure("loss of ellipticity", detail)
     {}
   };
 

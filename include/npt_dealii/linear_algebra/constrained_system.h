@@ -76,6 +76,20 @@ namespace NPT
     void
     build_pattern(const std::vector<std::vector<unsigned int>> &couplings = {});
 
+    /// Whether there is a pattern for the present groups and couplings.
+    bool
+    has_pattern() const
+    {
+      return has_pattern_;
+    }
+    /// Let the pattern be built again before the next assembly, with all
+    /// couplings given so far.
+    void
+    forget_pattern()
+    {
+      has_pattern_ = false;
+    }
+
     void
     set_zero()
     {
@@ -123,12 +137,12 @@ namespace NPT
   private:
     struct Group
     {
-      std::vector<int>    masters; // sorted independent numbers
+      std::vector<int>    columns; // sorted independent numbers
       std::vector<int>    start;   // per local unknown, into the next two
-      std::vector<int>    local;   // position in masters
+      std::vector<int>    local;   // position in columns
       std::vector<double> coefficient;
       std::vector<int>    positions; // into matrix values
-      bool                simple;    // every unknown is +/- one distinct master
+      bool                simple;    // every unknown is +/- one distinct column
     };
     Group
     make_group(const std::vector<unsigned int> &unknowns) const;
@@ -147,6 +161,7 @@ namespace NPT
     std::vector<Group>                  groups_;
     std::set<std::vector<unsigned int>> couplings_;
     CSRMatrix                           matrix_;
+    bool                                has_pattern_ = false;
     std::vector<double>                 scratch_, scratch2_;
 
     std::vector<bool>         prescribed_;

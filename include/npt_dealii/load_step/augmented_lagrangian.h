@@ -1,51 +1,45 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines the solution of one load step with contact: Newton's method, repeated
-// for the augmented Lagrangian.
+// Defines when the augmented Lagrangian repeats a solution, and when it lets
+// the penalties grow.
 
 #ifndef npt_dealii_load_step_augmented_lagrangian_h
 #define npt_dealii_load_step_augmented_lagrangian_h
 
 #include <npt_dealii/contact/contact_pair.h>
-#include <npt_dealii/load_step/newton.h>
+#include <npt_dealii/contact/contact_parameters.h>
 
-#include <vector>
+#include <optional>
 
 namespace NPT
 {
-  struct ContactStepReport
-  {
-    /// Of the first solution, whose order tells of the tangent; iterations:
-    /// the sum over all solutions.
-    NewtonReport newton;
-    /// Norm of the residual of the last solution [N].
-    double final_residual = 0;
-  };
-
   /**
-   * Solve a load step from the given x: once with the penalty method; with the
-   * augmented Lagrangian repeat with the tractions of the last solution as
-   * multipliers until penetration and stick drift are below their tolerances,
-   * (A17) of doc/theory.md. Repetitions that gain little make the penalties
-   * grow; see ContactPair::augment().
-   *
-   * @param contacts The contact pairs.
-   * @param steps    The load step of each pair; the problem's residual refers
-   *   to them. The augmented Lagrangian changes their multipliers.
-   * @param evaluations Of each pair at the displacement that the problem's
-   *   residual has seen last.
-   *
-   * Throws NewtonNotConverged, "augmentation limit" if
-   * ContactParameters::max_augmentations are not enough, and whatever
-   * solve_newton() throws.
+   * The repetitions (Uzawa) of one load step: with the tractions of the last
+   * solution as multipliers it is solved again until penetration and stick
+   * drift are below their tolerances, (A17) of doc/theory.md.
    */
-  ContactStepReport
-  solve_contact_step(const NewtonParameters                    &newton,
-                     const ContactParameters                   &parameters,
-                     const NewtonProblem                       &problem,
-                     const std::vector<const ContactPair<3> *> &contacts,
-                     std::vector<ContactStep<3>>               &steps,
-                     const std::vector<ContactEvaluation<3>>   &evaluations,
-                     dealii::Vector<double>                    &x);
+  class AugmentedLagrangian
+  {
+  public:
+    /// With the penalty method there are no repetitions.
+    explicit AugmentedLagrangian(const ContactParameters &parameters);
+
+    /**
+     * What to do after a solution: nothing more, or one more solution with
+     * penalties that grow by the returned factor. A penalty that is small
+     * against the stiffness of the bodies gains little per repetition: after
+     * some of them it grows. The solution does not depend on it.
+     *
+     * Throws NewtonNotConverged, "augmentation limit", if
+     * ContactParameters::max_augmentations are not enough.
+     */
+    std::optional<double>
+    next_growth(const ContactViolation &violation);
+
+  private:
+    const ContactParameters parameters_;
+    unsigned int            n_repetitions_ = 0;
+    ContactViolation        previous_;
+  };
 } // namespace NPT
 
 #endif

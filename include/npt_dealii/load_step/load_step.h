@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines one load step on a condensed system as a problem for Newton's method:
-// the free unknowns, the targets of the others, and both predictors.
+// Defines one attempt at a load step: the free unknowns, the targets of the
+// others, the predictors, and the solution.
 
 #ifndef npt_dealii_load_step_load_step_h
 #define npt_dealii_load_step_load_step_h
 
 #include <npt_dealii/linear_algebra/constrained_system.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
+#include <npt_dealii/load_step/augmented_lagrangian.h>
+#include <npt_dealii/load_step/equilibrium_problem.h>
 #include <npt_dealii/load_step/newton.h>
 
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/vector.h>
 
-#include <functional>
-
 namespace NPT
 {
+  /// What solving a load step took.
+  struct LoadStepReport
+  {
+    /// Of the first solution, whose order tells of the tangent; iterations:
+    /// the sum over all repetitions of the augmented Lagrangian.
+    NewtonReport newton;
+    /// Norm of the residual of the last solution [N].
+    double final_residual = 0;
+  };
+
   /**
    * The equations R(u) = 0 of a load step with u = C m and some of the m on
    * their targets. Newton's unknowns x are the free m,
@@ -23,70 +33,84 @@ namespace NPT
    * @f[ r(x) = \left( C^T R(C m) \right)_f, \qquad
    *     \frac{dr}{dx} = \left( C^T \frac{dR}{du} C \right)_{ff}. @f]
    *
-   * All references must outlive the object, and the object its problem().
+   * The result is a function of the accepted state and the increment alone.
+   * System, solver and timer are workspace; all references must outlive the
+   * object.
    */
   class LoadStep
   {
   public:
-    /// The full system. What it throws is passed on.
-    struct FullSystem
-    {
-      /// Fill R(u) and return the forces before they cancel [N], see
-      /// NewtonProblem::force_scale.
-      std::function<double(const dealii::Vector<double> &u,
-                           dealii::Vector<double>       &residual)>
-        residual;
-      /// Assemble dR/du into the ConstrainedSystem, at the u of the last
-      /// residual.
-      std::function<void(const dealii::Vector<double> &u)> tangent;
-    };
-
     /**
-     * @param u_accepted The state at the start of the step.
-     * @param m_target Prescribed entries: the end of the step. Free ones are
-     *   ignored.
-     * @param u, residual Filled by every evaluation with the state and its
-     *   full residual, for the caller; u must not be u_accepted itself.
-     * @param timer Sections "Factorize" and "Solve", if given.
+     * @param accepted The state at the start of the step.
+     * @param increment What the step adds, EquilibriumProblem::increment().
+     * @param timer Sections "Pattern", "Factorize" and "Solve", if given.
      */
-    LoadStep(ConstrainedSystem            &system,
-             LinearSolver                 &linear_solver,
-             FullSystem                    full_system,
-             const dealii::Vector<double> &u_accepted,
-             const dealii::Vector<double> &m_target,
-             dealii::Vector<double>       &u,
-             dealii::Vector<double>       &residual,
-             dealii::TimerOutput          *timer = nullptr);
+    LoadStep(const EquilibriumProblem &problem,
+             const State              &accepted,
+             Increment                 increment,
+             ConstrainedSystem        &system,
+             LinearSolver             &linear_solver,
+             dealii::TimerOutput      *timer = nullptr);
 
     LoadStep(const LoadStep &) = delete;
     LoadStep &
     operator=(const LoadStep &) = delete;
 
-    NewtonProblem
-    problem();
-
-    /// Predictor: x = x_accepted + ratio (x_accepted - x_previous).
-    void
-    extrapolate(const dealii::Vector<double> &u_previous,
-                const double                  ratio,
-                dealii::Vector<double>       &x) const;
+    /**
+     * Predictor: x = x_accepted + ratio (x_accepted - x_previous), with the
+     * targets at the end of the step. Evaluated at once: false if the state
+     * cannot be evaluated (extrapolated too far).
+     */
+    bool
+    extrapolate(const dealii::Vector<double> &u_previous, const double ratio);
 
     /**
      * Predictor: along the tangent of the accepted state, loaded by its
      * residual and by the increments of the prescribed unknowns,
      *
      * @f[ K_{ff} (x - x_{accepted}) = - r - K_{fp} \Delta m_p. @f]
-     *
-     * Evaluates the accepted state, not x.
      */
     void
-    follow_tangent(dealii::Vector<double> &x);
+    follow_tangent();
 
-    /// r(x); also fills u and the full residual.
+    /**
+     * Solve from the predicted x by Newton's method; with the augmented
+     * Lagrangian again, with the tractions of the last solution as
+     * multipliers, until penetration and stick drift are below their
+     * tolerances, (A17). Without free unknowns the state is evaluated only.
+     *
+     * Throws a LoadStepFailure if there is no solution.
+     */
+    LoadStepReport
+    solve(const NewtonParameters  &newton,
+          const ContactParameters &augmentation = ContactParameters());
+
+    const Increment &
+    increment() const
+    {
+      return increment_;
+    }
+    /// The state evaluated last.
+    const Trial &
+    trial() const
+    {
+      return trial_;
+    }
+
+    /// The free unknowns as predicted.
+    const dealii::Vector<double> &
+    start() const
+    {
+      return x_;
+    }
+
+    /// r(x); also fills trial().
     void
     evaluate(const dealii::Vector<double> &x, dealii::Vector<double> &r);
 
   private:
+    NewtonProblem
+    equations();
     void
     pick_free(const dealii::Vector<double> &m, dealii::Vector<double> &x) const;
     void
@@ -95,18 +119,21 @@ namespace NPT
     void
     prepare_tangent();
     void
-    solve(const dealii::Vector<double> &rhs, dealii::Vector<double> &dx);
+    solve_linear(const dealii::Vector<double> &rhs, dealii::Vector<double> &dx);
+    ContactViolation
+    violation() const;
 
-    ConstrainedSystem            &system_;
-    LinearSolver                 &linear_solver_;
-    const FullSystem              full_system_;
-    const dealii::Vector<double> &m_target_;
-    dealii::Vector<double>       &u_;
-    dealii::Vector<double>       &residual_;
-    dealii::TimerOutput          *timer_;
+    const EquilibriumProblem &problem_;
+    Increment                 increment_;
+    ConstrainedSystem        &system_;
+    LinearSolver             &linear_solver_;
+    dealii::TimerOutput      *timer_;
 
-    dealii::Vector<double> m_accepted_, m_, condensed_;
-    double                 force_scale_ = 0;
+    dealii::Vector<double> m_accepted_, m_;
+    Trial                  trial_;
+    dealii::Vector<double> x_; // predicted
+    dealii::Vector<double> r_; // there, if it was evaluated
+    bool                   has_residual_ = false;
   };
 } // namespace NPT
 

@@ -109,11 +109,15 @@ namespace NPT
    * - "invalid residual": not finite at the start or without line search,
    * and passes on a LoadStepFailure of the start, of the tangent and of the
    * linear solver. x is then an iterate of no meaning; the caller restores it.
+   *
+   * @param residual_at_start r(x) of the given x, if it is known already; x
+   *   must then be that of the last problem.residual().
    */
   NewtonReport
-  solve_newton(const NewtonParameters &parameters,
-               const NewtonProblem    &problem,
-               dealii::Vector<double> &x);
+  solve_newton(const NewtonParameters       &parameters,
+               const NewtonProblem          &problem,
+               dealii::Vector<double>       &x,
+               const dealii::Vector<double> *residual_at_start = nullptr);
 } // namespace NPT
 
 #endif

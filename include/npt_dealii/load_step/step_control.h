@@ -11,6 +11,8 @@
 
 namespace NPT
 {
+  class LoadStepFailure;
+
   /// Steps of one stage, in the subsection of that stage.
   struct StepParameters
   {
@@ -62,10 +64,10 @@ namespace NPT
      * The trial failed: halve the step. Throws StageFailed if it would become
      * smaller than the minimum.
      *
-     * @param reason As in LoadStepFailure::reason().
+     * @param failure Its reason and advice become those of StageFailed.
      */
     void
-    reject(const std::string &reason);
+    reject(const LoadStepFailure &failure);
 
     bool
     finished() const;

@@ -5,9 +5,9 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/replace_file.h>
-#include <npt_dealii/load_step/load_step.h>
-#include <npt_dealii/load_step/step_control.h>
+#include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/material_test/composite_bounds.h>
+#include <npt_dealii/problems/material_test/micro_cell_problem.h>
 #include <npt_dealii/problems/material_test/numerical_material_testing.h>
 #include <npt_dealii/solid/solid_fields.h>
 
@@ -38,6 +38,7 @@ namespace NPT
     , log_(RunLog::in_folder(directory, screen))
     , cpu_start_(process_cpu_seconds())
     , macro_(0)
+    , linear_solver_(parameters.linear_solver)
   {}
 
 
@@ -63,20 +64,18 @@ namespace NPT
   void
   NumericalMaterialTesting::run_test(const MaterialTest &test)
   {
-    begin_test(test); // which components are prescribed; state zero
-    StepControl control(test.steps, test.name);
-    while (!control.finished())
-      {
-        const double trial = control.trial();
-        if (!solve_load_step(test, trial))
-          {
-            control.reject(failure_reason_); // throws if the step is too small
-            log_.cut(test.name, trial, failure_reason_, control.step());
-            continue;
-          }
-        accept_load_step(test, trial); // stresses, energy, one row
-        control.accept(report_.iterations);
-      }
+    const MicroCellProblem problem(
+      *bodies_, cell_groups_, macro_, cell_->volume(), test, system_);
+    begin_test(test); // a row of the natural state
+    LoadStepper stepper(
+      parameters_.newton, ContactParameters(), system_, linear_solver_, log_);
+    state_ =
+      stepper.run(problem,
+                  problem.natural_state(),
+                  test.steps,
+                  test.name,
+                  LoadStepper::Predictor::extrapolation,
+                  [&](const AcceptedStep &step) { add_row(test, step); });
     if (parameters_.output.fields && !directory_.empty())
       output_fields(test);
   }
@@ -120,8 +119,7 @@ namespace NPT
 
     cell_groups_ = bodies_->add_groups(system_);
     system_.build_pattern();
-    linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
-    u_.reinit(macro_.n_unknowns());
+    state_.u.reinit(macro_.n_unknowns()); // the natural state
 
     log_.header(
       "Numerical material test",
@@ -165,8 +163,6 @@ namespace NPT
   void
   NumericalMaterialTesting::compute_moduli()
   {
-    u_trial_ = u_;
-    assemble_tangent(u_);
     const FullMatrix<double> A = macroscopic_tangent();
 
     // Strain 23 as e_23 = e_32 = gamma/2: with minor symmetry the Voigt entry
@@ -233,17 +229,6 @@ namespace NPT
   void
   NumericalMaterialTesting::begin_test(const MaterialTest &test)
   {
-    u_           = 0;
-    u_previous_  = u_;
-    load_factor_ = load_factor_previous_ = 0;
-    has_previous_                        = false;
-
-    std::vector<bool> prescribed(system_.n_independent(), false);
-    for (unsigned int e = 0; e < n_macro; ++e)
-      prescribed[system_.independent_index(macro_.first + e)] =
-        !test.stress_controlled[e];
-    system_.set_prescribed(prescribed);
-
     MaterialTestRow natural_state;
     natural_state.test = test.name;
     rows_.push_back(natural_state);
@@ -253,98 +238,28 @@ namespace NPT
 
 
 
-  bool
-  NumericalMaterialTesting::solve_load_step(const MaterialTest &test,
-                                            const double        load_factor)
-  {
-    Vector<double> m_target;
-    system_.restrict_to_independent(u_, m_target);
-    for (unsigned int e = 0; e < n_macro; ++e)
-      if (!test.stress_controlled[e])
-        m_target[system_.independent_index(macro_.first + e)] =
-          load_factor * test.target[e];
-
-    LoadStep step(system_,
-                  *linear_solver_,
-                  {[&](const Vector<double> &u, Vector<double> &r) {
-                     r.reinit(u.size());
-                     const double force_scale = bodies_->add_residual(u, r);
-                     // Prescribed stresses act on the macro unknowns.
-                     for (unsigned int e = 0; e < n_macro; ++e)
-                       if (test.stress_controlled[e])
-                         r[macro_.first + e] -=
-                           load_factor * test.target[e] * cell_->volume();
-                     return force_scale;
-                   },
-                   [this](const Vector<double> &u) { assemble_tangent(u); }},
-                  u_,
-                  m_target,
-                  u_trial_,
-                  residual_);
-
-    // Only failures of the LoadStepFailure family are survivable.
-    try
-      {
-        // The first step follows the tangent at the natural state, later ones
-        // the line through the last two states.
-        Vector<double> x;
-        if (has_previous_)
-          step.extrapolate(u_previous_,
-                           (load_factor - load_factor_) /
-                             (load_factor_ - load_factor_previous_),
-                           x);
-        else
-          step.follow_tangent(x);
-        report_ = solve_newton(parameters_.newton, step.problem(), x);
-        return true;
-      }
-    catch (const LoadStepFailure &failure)
-      {
-        failure_reason_ = failure.what();
-        // The extrapolation may have been the culprit.
-        has_previous_ = false;
-        return false;
-      }
-  }
-
-
-
   void
-  NumericalMaterialTesting::accept_load_step(const MaterialTest &test,
-                                             const double        load_factor)
+  NumericalMaterialTesting::add_row(const MaterialTest &test,
+                                    const AcceptedStep &step)
   {
     MaterialTestRow row;
     row.test         = test.name;
-    row.load_factor  = load_factor;
-    row.iterations   = report_.iterations;
-    row.newton_order = report_.order();
-
-    // Reactions of the macro unknowns. The residual has the prescribed stress
-    // taken off already.
-    Vector<double> reactions;
-    system_.condense(residual_, reactions);
+    row.load_factor  = step.after.load_factor;
+    row.iterations   = step.report.newton.iterations;
+    row.newton_order = step.report.newton.order();
     for (unsigned int e = 0; e < n_macro; ++e)
       {
-        row.H[e / 3][e % 3] = u_trial_[macro_.first + e];
-        row.P[e / 3][e % 3] =
-          reactions[system_.independent_index(macro_.first + e)] /
-            cell_->volume() +
-          (test.stress_controlled[e] ? load_factor * test.target[e] : 0.);
+        row.H[e / 3][e % 3] = step.after.u[macro_.first + e];
+        row.P[e / 3][e % 3] = step.after.reactions[e];
       }
     const MaterialTestRow &last = rows_.back();
     row.work = last.work + 0.5 * scalar_product(row.P + last.P, row.H - last.H);
-
-    u_previous_           = u_;
-    load_factor_previous_ = load_factor_;
-    u_                    = u_trial_;
-    load_factor_          = load_factor;
-    has_previous_         = true;
-    compute_averages(row);
+    compute_averages(step.after.u, row);
     rows_.push_back(row);
 
     std::ostringstream text;
-    text << "  " << std::fixed << std::setprecision(3) << load_factor << "  "
-         << std::setw(2) << row.iterations << " iterations, P =";
+    text << "  " << std::fixed << std::setprecision(3) << row.load_factor
+         << "  " << std::setw(2) << row.iterations << " iterations, P =";
     for (unsigned int e = 0; e < n_macro; ++e)
       text << ' ' << std::setprecision(4) << row.P[e / 3][e % 3];
     log_.line(text.str());
@@ -373,31 +288,21 @@ namespace NPT
 
 
 
-  // -------------------------------------------------------------- assembly
-
-  void
-  NumericalMaterialTesting::assemble_tangent(const Vector<double> &u)
-  {
-    system_.set_zero();
-    bodies_->add_tangent(u, cell_groups_, system_);
-  }
-
-
-
   // --------------------------------------------------------------- results
 
   void
-  NumericalMaterialTesting::compute_averages(MaterialTestRow &row) const
+  NumericalMaterialTesting::compute_averages(const Vector<double> &u,
+                                             MaterialTestRow      &row) const
   {
     double volume = 0, current_volume = 0;
-    bodies_->for_each_point(u_, [&](const auto &point) {
+    bodies_->for_each_point(u, [&](const auto &point) {
       row.P_average += point.P * point.dV / cell_->volume();
       row.P_times_F +=
         scalar_product(point.P, point.F) * point.dV / cell_->volume();
       volume += point.dV;
       current_volume += determinant(point.F) * point.dV;
     });
-    row.energy = bodies_->stored_energy(u_) / cell_->volume();
+    row.energy = bodies_->stored_energy(u) / cell_->volume();
     row.mean_J = current_volume / volume;
   }
 
@@ -406,12 +311,13 @@ namespace NPT
   FullMatrix<double>
   NumericalMaterialTesting::macroscopic_tangent()
   {
-    assemble_tangent(u_);
+    system_.set_zero();
+    bodies_->add_tangent(state_.u, cell_groups_, system_);
     std::vector<bool> prescribed(system_.n_independent(), false);
     for (unsigned int e = 0; e < n_macro; ++e)
       prescribed[system_.independent_index(macro_.first + e)] = true;
     system_.set_prescribed(prescribed);
-    linear_solver_->factorize(system_.free_matrix());
+    linear_solver_.factorize(system_.free_matrix());
 
     FullMatrix<double> A(n_macro, n_macro);
     for (unsigned int e = 0; e < n_macro; ++e)
@@ -423,7 +329,7 @@ namespace NPT
         Vector<double> rhs(system_.n_free());
         for (unsigned int k = 0; k < system_.n_free(); ++k)
           rhs[k] = -column[system_.free_unknown(k)];
-        linear_solver_->solve(rhs, x);
+        linear_solver_.solve(rhs, x);
         for (unsigned int k = 0; k < system_.n_free(); ++k)
           unit[system_.free_unknown(k)] = x[k];
         system_.matrix().vmult(column, unit);
@@ -477,7 +383,9 @@ namespace NPT
     std::string name = "cell-" + test.name + ".vtu";
     std::replace(name.begin(), name.end(), ' ', '-');
     write_vtu(directory_ + "/" + name,
-              make_bundle_fields(
-                bodies_->space(), bodies_->laws(), bodies_->gradients(), u_));
+              make_bundle_fields(bodies_->space(),
+                                 bodies_->laws(),
+                                 bodies_->gradients(),
+                                 state_.u));
   }
 } // namespace NPT

@@ -6,11 +6,9 @@
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/vtu_file.h>
-#include <npt_dealii/load_step/augmented_lagrangian.h>
-#include <npt_dealii/load_step/load_step.h>
-#include <npt_dealii/load_step/step_control.h>
 #include <npt_dealii/solid/solid_fields.h>
 #include <npt_dealii/verification/contact/contact_benchmark.h>
+#include <npt_dealii/verification/contact/handle_problem.h>
 
 #include <fstream>
 #include <iomanip>
@@ -31,6 +29,7 @@ namespace NPT
     , log_(RunLog::in_folder(directory, screen))
     , cpu_start_(process_cpu_seconds())
     , model_(make_contact_model(parameters))
+    , linear_solver_(parameters.linear_solver)
   {}
 
 
@@ -40,9 +39,10 @@ namespace NPT
   {
     setup_system(); // bodies, couplings, the contact pair
 
-    for (const ContactStage &stage : model_.stages)
+    for (unsigned int index = 0; index < model_.stages.size(); ++index)
       {
-        run_stage(stage); // Newton in load steps of adaptive length
+        const ContactStage &stage = model_.stages[index];
+        run_stage(index); // Newton in load steps of adaptive length
         compare(stage);   // with the exact solution, where there is one
         if (parameters_.output.fields)
           output_fields();
@@ -53,25 +53,32 @@ namespace NPT
 
 
   void
-  ContactBenchmark::run_stage(const ContactStage &stage)
+  ContactBenchmark::run_stage(const unsigned int index)
   {
-    begin_stage(stage); // which handles are driven; friction on or off
-    StepParameters steps;
+    const ContactStage &stage = model_.stages[index];
+    // Which handles are driven; friction on or off.
+    const HandleProblem problem({*bodies_,
+                                 cell_groups_,
+                                 contacts_,
+                                 static_cast<unsigned int>(
+                                   model_.handles.size()),
+                                 model_.force_factor,
+                                 1e-3 * parameters_.benchmark.half_width},
+                                model_.stages,
+                                index,
+                                state_,
+                                system_);
+    StepParameters      steps;
     steps.initial_step = steps.maximum_step = 1. / stage.n_steps;
     steps.minimum_step                      = steps.initial_step / 256.;
-    StepControl control(steps, stage.name);
-    while (!control.finished())
-      {
-        const double trial = control.trial();
-        if (!solve_load_step(trial))
-          {
-            control.reject(failure_reason_); // throws if the step is too small
-            log_.cut(stage.name, trial, failure_reason_, control.step());
-            continue;
-          }
-        accept_load_step(stage, trial); // slip becomes "old" only here
-        control.accept(report_.iterations);
-      }
+    LoadStepper stepper(
+      parameters_.newton, parameters_.contact, system_, linear_solver_, log_);
+    stepper.run(problem,
+                problem.start(),
+                steps,
+                stage.name,
+                LoadStepper::Predictor::tangent,
+                [&](const AcceptedStep &step) { add_row(stage, step); });
   }
 
 
@@ -99,23 +106,23 @@ namespace NPT
     std::vector<ContactSurface<3>> primary(1, ContactSurface<3>(*surfaces_[1]));
     primary[0].set_edge_radius(parameters_.contact.edge_radius *
                                model_.body_height);
-    contact_ =
+    contacts_.push_back(
       std::make_unique<ContactPair<3>>(ContactSurface<3>(*surfaces_[0]),
                                        primary,
                                        parameters_.contact,
                                        parameters_.friction,
                                        parameters_.contact.maximum_penetration *
-                                         model_.body_height);
-    contact_state_ = contact_->initial_state();
+                                         model_.body_height));
 
     const unsigned int n_handles = model_.handles.size();
     HandleCouplings    couplings(bodies_->space());
     model_.couple(couplings);
     system_.reinit(couplings.close(), bodies_->n_displacements() + n_handles);
-    cell_groups_   = bodies_->add_groups(system_);
-    linear_solver_ = std::make_unique<LinearSolver>(parameters_.linear_solver);
-    handles_.resize(n_handles);
-    u_.reinit(bodies_->n_displacements() + n_handles);
+    cell_groups_ = bodies_->add_groups(system_);
+    state_.u.reinit(bodies_->n_displacements() + n_handles);
+    state_.applied.assign(n_handles, 0.);
+    state_.reactions.assign(n_handles, 0.);
+    state_.contact.push_back(contacts_[0]->initial_state());
 
     if (!directory_.empty())
       {
@@ -149,144 +156,43 @@ namespace NPT
                  {"independent unknowns",
                   std::to_string(system_.n_independent())},
                  {"contact nodes",
-                  std::to_string(contact_->n_nodes()) + " (" +
+                  std::to_string(contacts_[0]->n_nodes()) + " (" +
                     parameters_.contact.method + ")"}});
   }
 
 
 
   void
-  ContactBenchmark::begin_stage(const ContactStage &stage)
+  ContactBenchmark::add_row(const ContactStage &stage, const AcceptedStep &step)
   {
-    for (unsigned int k = 0; k < handles_.size(); ++k)
-      {
-        HandleState &handle = handles_[k];
-        handle.value        = [](const double start, double) { return start; };
-        for (const HandleDrive &drive : stage.drives)
-          if (drive.handle == k)
-            {
-              handle.by_force = drive.force;
-              handle.value    = drive.value;
-            }
-        // A force that is switched on goes on from the present reaction.
-        handle.start = handle.by_force ? handle.reaction :
-                                         u_[bodies_->n_displacements() + k];
-      }
-    std::vector<bool> prescribed(system_.n_independent(), false);
-    for (unsigned int k = 0; k < handles_.size(); ++k)
-      prescribed[system_.independent_index(bodies_->n_displacements() + k)] =
-        !handles_[k].by_force;
-    system_.set_prescribed(prescribed);
-    pattern_is_current_ = false;
+    state_      = step.after;
+    evaluation_ = step.trial.contact[0];
 
-    const bool friction_begins = stage.friction && !friction_was_on_;
-    friction_was_on_           = stage.friction;
-    contact_state_ = contact_->with_friction(contact_state_, stage.friction);
-    if (friction_begins)
-      contact_state_ = contact_->start_friction(contact_state_, u_);
-  }
-
-
-
-  // ------------------------------------------------------------- load step
-
-  bool
-  ContactBenchmark::solve_load_step(const double load_factor)
-  {
-    const unsigned int first = bodies_->n_displacements();
-    Vector<double>     m_target;
-    system_.restrict_to_independent(u_, m_target);
-    for (unsigned int k = 0; k < handles_.size(); ++k)
-      {
-        const double value = handles_[k].value(handles_[k].start, load_factor);
-        if (handles_[k].by_force)
-          handles_[k].applied = value / model_.force_factor;
-        else
-          m_target[system_.independent_index(first + k)] = value;
-      }
-
-    LoadStep step(system_,
-                  *linear_solver_,
-                  {[this](const Vector<double> &u, Vector<double> &r) {
-                     return assemble_residual(u, r);
-                   },
-                   [this](const Vector<double> &u) { assemble_tangent(u); }},
-                  u_,
-                  m_target,
-                  u_trial_,
-                  residual_);
-
-    try
-      {
-        contact_step_[0] = contact_->begin_step(contact_state_, u_);
-        Vector<double> x;
-        if (system_.n_free() == 0)
-          {
-            // Rigid bodies, all moved by hand: nothing is left to solve for.
-            step.evaluate(x, x);
-            report_           = NewtonReport();
-            report_.converged = true;
-            return true;
-          }
-        step.follow_tangent(x);
-        const auto report = solve_contact_step(parameters_.newton,
-                                               parameters_.contact,
-                                               step.problem(),
-                                               {contact_.get()},
-                                               contact_step_,
-                                               contact_evaluation_,
-                                               x);
-        report_           = report.newton;
-        return true;
-      }
-    catch (const LoadStepFailure &failure)
-      {
-        failure_reason_ = failure.what();
-        return false;
-      }
-  }
-
-
-
-  void
-  ContactBenchmark::accept_load_step(const ContactStage &stage,
-                                     const double        load_factor)
-  {
-    ContactRow row;
+    const unsigned int n_handles = model_.handles.size();
+    ContactRow         row;
     row.step        = rows_.size() + 1;
     row.stage       = stage.name;
-    row.load_factor = load_factor;
-    u_              = u_trial_;
-
-    // The residual excludes applied forces only for handles driven by value.
-    Vector<double> reactions;
-    system_.condense(residual_, reactions);
-    const unsigned int first = bodies_->n_displacements();
-    for (unsigned int k = 0; k < handles_.size(); ++k)
+    row.load_factor = state_.load_factor;
+    for (unsigned int k = 0; k < n_handles; ++k)
       {
-        HandleState &handle = handles_[k];
-        handle.reaction     = model_.force_factor *
-                          (reactions[system_.independent_index(first + k)] +
-                           (handle.by_force ? handle.applied : 0.));
-        row.value.push_back(u_[first + k]);
-        row.force.push_back(handle.reaction);
+        row.value.push_back(state_.u[bodies_->n_displacements() + k]);
+        row.force.push_back(state_.reactions[k]);
       }
 
-    const auto summary      = contact_->summary(contact_evaluation_[0]);
-    row.n_active            = summary.n_active;
-    row.n_stick             = summary.n_stick;
-    row.n_slip              = summary.n_slip;
-    row.largest_penetration = summary.largest_penetration;
-    row.dissipation         = (rows_.empty() ? 0. : rows_.back().dissipation) +
+    const ContactSummary summary = contacts_[0]->summary(evaluation_);
+    row.n_active                 = summary.n_active;
+    row.n_stick                  = summary.n_stick;
+    row.n_slip                   = summary.n_slip;
+    row.largest_penetration      = summary.largest_penetration;
+    row.dissipation = (rows_.empty() ? 0. : rows_.back().dissipation) +
                       model_.force_factor * summary.dissipation;
-    row.iterations = report_.iterations;
-    balance(row);
-    contact_state_ = contact_->accept(contact_step_[0], contact_evaluation_[0]);
+    row.iterations = step.report.newton.iterations;
+    balance(step, row);
 
     if (table_)
       {
         std::vector<TableCell> cells = {row.step, row.stage, row.load_factor};
-        for (unsigned int k = 0; k < handles_.size(); ++k)
+        for (unsigned int k = 0; k < n_handles; ++k)
           {
             cells.emplace_back(row.value[k]);
             cells.emplace_back(row.force[k]);
@@ -305,9 +211,10 @@ namespace NPT
       }
     std::ostringstream line;
     line << std::left << std::setw(12) << stage.name << std::right << std::fixed
-         << std::setprecision(4) << std::setw(8) << load_factor << std::setw(4)
-         << row.iterations << " it." << std::setw(7) << row.n_active
-         << " active" << std::setw(7) << row.n_slip << " slipping, forces";
+         << std::setprecision(4) << std::setw(8) << row.load_factor
+         << std::setw(4) << row.iterations << " it." << std::setw(7)
+         << row.n_active << " active" << std::setw(7) << row.n_slip
+         << " slipping, forces";
     line << std::scientific << std::setprecision(4);
     for (const double force : row.force)
       line << ' ' << std::setw(11) << force;
@@ -317,65 +224,13 @@ namespace NPT
 
 
 
-  // -------------------------------------------------------------- assembly
-
-  double
-  ContactBenchmark::assemble_residual(const Vector<double> &u,
-                                      Vector<double>       &residual)
-  {
-    residual.reinit(u.size());
-    const double solids = bodies_->add_residual(u, residual);
-
-    Vector<double> force(u.size());
-    contact_->evaluate(contact_step_[0], u, contact_evaluation_[0]);
-    contact_->add_residual(contact_step_[0], contact_evaluation_[0], force);
-    residual += force;
-    for (unsigned int k = 0; k < handles_.size(); ++k)
-      if (handles_[k].by_force)
-        residual[bodies_->n_displacements() + k] -= handles_[k].applied;
-    // Convergence is measured against the forces before they cancel.
-    return std::sqrt(solids * solids + force.norm_sqr());
-  }
-
-
-
   void
-  ContactBenchmark::assemble_tangent(const Vector<double> &u)
+  ContactBenchmark::balance(const AcceptedStep &step, ContactRow &row) const
   {
-    for (unsigned int attempt = 0; attempt < 2; ++attempt)
-      {
-        if (!pattern_is_current_)
-          {
-            system_.build_pattern(
-              contact_->coupled_unknowns(contact_step_[0],
-                                         contact_evaluation_[0],
-                                         1e-3 *
-                                           parameters_.benchmark.half_width));
-            pattern_is_current_ = true;
-          }
-        system_.set_zero();
-        contact_->add_tangent(contact_step_[0],
-                              contact_evaluation_[0],
-                              [&](const std::vector<unsigned int> &unknowns,
-                                  const std::vector<double>       &K) {
-                                if (!system_.add(unknowns, K))
-                                  pattern_is_current_ = false;
-                              });
-        if (!pattern_is_current_)
-          continue; // a new coupling appeared: widen the pattern
-        bodies_->add_tangent(u, cell_groups_, system_);
-        return;
-      }
-    AssertThrow(false, dealii::ExcInternalError());
-  }
-
-
-
-  void
-  ContactBenchmark::balance(ContactRow &row) const
-  {
-    Vector<double> force(u_.size());
-    contact_->add_residual(contact_step_[0], contact_evaluation_[0], force);
+    Vector<double> force(state_.u.size());
+    contacts_[0]->add_residual(step.increment.contact[0],
+                               step.trial.contact[0],
+                               force);
     Tensor<1, 3> sum, moment;
     double       forces = 0, moments = 0;
     for (unsigned int A = 0; A < bodies_->space().n_control_points(); ++A)
@@ -384,7 +239,7 @@ namespace NPT
         for (unsigned int c = 0; c < 3; ++c)
           {
             f[c] = force[3 * A + c];
-            x[c] += u_[3 * A + c];
+            x[c] += state_.u[3 * A + c];
           }
         sum += f;
         moment += cross_product_3d(x, f);
@@ -420,8 +275,10 @@ namespace NPT
       return;
     const std::string name = "bodies-" + std::to_string(rows_.size()) + ".vtu";
     write_vtu(directory_ + "/" + name,
-              make_bundle_fields(
-                bodies_->space(), bodies_->laws(), bodies_->gradients(), u_));
+              make_bundle_fields(bodies_->space(),
+                                 bodies_->laws(),
+                                 bodies_->gradients(),
+                                 state_.u));
     files_.emplace_back(rows_.size(), name);
     write_pvd(directory_ + "/fields.pvd", files_);
   }

@@ -86,16 +86,16 @@ namespace NPT
   {
     // C_c = sum_I W_I p^I dg^I = int (sum_I p^I R^I) dg dA: the traction at a
     // Gauss point is what its area carries.
-    const auto                &points = contact_->quadrature_points();
+    const auto                &points = contacts_[0]->quadrature_points();
     std::vector<ContactSample> result(points.size());
-    for (unsigned int I = 0; I < contact_->n_nodes(); ++I)
+    for (unsigned int I = 0; I < contacts_[0]->n_nodes(); ++I)
       {
-        const auto &state = contact_evaluation_[0].nodes[I];
-        const auto &node  = contact_->averaging().nodes()[I];
+        const auto &state = evaluation_.nodes[I];
+        const auto &node  = contacts_[0]->averaging().nodes()[I];
         if (!state.active)
           continue;
         const Tensor<1, 3> traction =
-          contact_->friction_traction(contact_evaluation_[0], I);
+          contacts_[0]->friction_traction(evaluation_, I);
         for (const auto &entry : node.entries)
           {
             // R^I at the point.
@@ -112,10 +112,11 @@ namespace NPT
         for (unsigned int l = 0; l < shape.lattice.size(); ++l)
           {
             const unsigned int A =
-              contact_->secondary().surface().control_point(shape.lattice[l]);
+              contacts_[0]->secondary().surface().control_point(
+                shape.lattice[l]);
             Point<3> x = bodies_->space().control_points()[A];
             for (unsigned int c = 0; c < 3; ++c)
-              x[c] += u_[3 * A + c];
+              x[c] += state_.u[3 * A + c];
             sample.x += shape.value[l] * x;
           }
         sample.area = points[q].area;
@@ -200,7 +201,7 @@ namespace NPT
                        0. :
                        p.pressure / parameters_.contact.normal_penalty));
     double largest = 0, square = 0, volume = 0;
-    bodies_->for_each_point(u_,
+    bodies_->for_each_point(state_.u,
                             [&](const DeformableBodies::MaterialPoint &point) {
                               const double error =
                                 std::abs(point.P[2][2] + p.pressure) /
@@ -318,14 +319,14 @@ namespace NPT
   {
     // Between the outermost sticking and the innermost slipping node.
     double outermost = 0, innermost = std::numeric_limits<double>::max();
-    for (unsigned int I = 0; I < contact_->n_nodes(); ++I)
+    for (unsigned int I = 0; I < contacts_[0]->n_nodes(); ++I)
       {
-        const auto &state = contact_evaluation_[0].nodes[I];
+        const auto &state = evaluation_.nodes[I];
         if (!state.active)
           continue;
         Tensor<1, 3> x;
-        for (const auto &entry : contact_->averaging().nodes()[I].entries)
-          x += entry.weight * contact_->quadrature_points()[entry.point].X;
+        for (const auto &entry : contacts_[0]->averaging().nodes()[I].entries)
+          x += entry.weight * contacts_[0]->quadrature_points()[entry.point].X;
         const double r = in_plane ? std::abs(x[0]) : std::hypot(x[0], x[1]);
         if (state.slipping)
           innermost = std::min(innermost, r);

@@ -6,8 +6,9 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/iga/iga_surface.h>
 #include <npt_dealii/iga/iga_values.h>
-#include <npt_dealii/load_step/load_step.h>
+#include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/verification/solids/benchmark_bodies.h>
+#include <npt_dealii/verification/solids/driven_solid.h>
 #include <npt_dealii/verification/solids/solid_benchmark.h>
 
 #include <algorithm>
@@ -437,54 +438,22 @@ namespace NPT
   unsigned int
   SolidBenchmark::solve_load_steps(const std::string &name)
   {
-    Vector<double> u_trial, residual;
-    const auto     assemble_residual = [&](const Vector<double> &u,
-                                       Vector<double>       &r) {
-      r.reinit(u.size());
-      return body_->add_residual(u, r);
-    };
-    const auto assemble_tangent = [&](const Vector<double> &u) {
-      system_.set_zero();
-      body_->add_tangent(u, cell_groups_, system_);
-    };
-
-    u_.reinit(body_->n_displacements());
-    const Vector<double> natural_state(u_);
-    unsigned int         n_iterations = 0;
-    StepControl          control(parameters_.steps, name);
-    while (!control.finished())
-      {
-        const double   trial = control.trial(), before = control.load_factor();
-        Vector<double> target(target_);
-        target *= trial;
-        LoadStep step(system_,
-                      linear_solver_,
-                      {assemble_residual, assemble_tangent},
-                      u_,
-                      target,
-                      u_trial,
-                      residual);
-        try
-          {
-            // The first step follows the tangent at the natural state; later
-            // ones scale the last state in proportion to the load factor.
-            Vector<double> x;
-            if (before > 0.)
-              step.extrapolate(natural_state, (trial - before) / before, x);
-            else
-              step.follow_tangent(x);
-            const NewtonReport report =
-              solve_newton(parameters_.newton, step.problem(), x);
-            n_iterations += report.iterations;
-            u_ = u_trial;
-            control.accept(report.iterations);
-          }
-        catch (const LoadStepFailure &failure)
-          {
-            control.reject(failure.what()); // throws if it is too small
-            log_.cut(name, trial, failure.what(), control.step());
-          }
-      }
+    unsigned int      n_iterations = 0;
+    const DrivenSolid problem(*body_, cell_groups_, target_);
+    State             natural_state;
+    natural_state.u.reinit(body_->n_displacements());
+    LoadStepper stepper(
+      parameters_.newton, ContactParameters(), system_, linear_solver_, log_);
+    u_ = stepper
+           .run(problem,
+                natural_state,
+                parameters_.steps,
+                name,
+                LoadStepper::Predictor::proportional,
+                [&](const AcceptedStep &step) {
+                  n_iterations += step.report.newton.iterations;
+                })
+           .u;
     return n_iterations;
   }
 

@@ -10,9 +10,12 @@
 
 #include <sstream>
 
+#include "plate_run.h"
+
 namespace
 {
   using namespace NPT;
+  using PlateTestTools::PlateRun;
 
   std::vector<CurveRow>
   run(const std::vector<std::string> &overrides)
@@ -26,102 +29,61 @@ namespace
     return test.curve();
   }
 
-  // The test with another origin of the macroscopic field and other pins, and
-  // with the reactions of the pins laid open.
-  class PinnedTest : public NumericalPlateTesting
+  struct PinReactions
   {
-  public:
-    PinnedTest(const std::vector<std::string> &overrides,
-               std::ostream                   &screen,
-               const dealii::Tensor<1, 3>     &origin = {},
-               const Pins                     &pins   = {})
-      : NumericalPlateTesting(
-          PlateTestParameters::read(make_parameter_text("", "cell.prm"),
-                                    overrides),
-          "",
-          screen)
-      , origin_(origin)
-    {
-      pins_ = pins;
-    }
-
-    // Without weaving: the positions to which the jumps refer stay those.
-    void
-    run_laminate()
-    {
-      make_unit_cell();
-      setup_system();
-      woven_ = bodies_->space().control_points();
-      for (dealii::Point<3> &Z : woven_)
-        Z -= origin_;
-      for (const LoadStage &stage : parameters_.load_programme.stages)
-        run_stage(stage);
-    }
-
-    struct PinReactions
-    {
-      std::vector<double> force;   // z, then x and y of each body [N]
-      double              largest; // component of a nodal force [N]
-    };
-
-    // At the last accepted state. A pin a.w = b has the reaction f if the
-    // residual, reduced with all couplings but the pins, is f a; its entry at
-    // the unknown that the pin eliminates is f times the weight there.
-    PinReactions
-    pin_reactions()
-    {
-      const auto couplings = [&](const Pins &pins) {
-        return make_couplings(
-          *cell_, bodies_->space(), macro_, images_, woven_, pins);
-      };
-      Pins none;
-      none.used           = false;
-      const auto pinned   = couplings(pins_);
-      const auto unpinned = couplings(none);
-
-      dealii::Vector<double> residual(macro_.n_unknowns());
-      bodies_->add_residual(u_, residual);
-      PinReactions result;
-      result.largest = residual.linfty_norm();
-      // Of the accepted state, from the last evaluation of the last step:
-      // frictional forces depend on the history before it.
-      residual = residual_;
-
-      ConstrainedSystem      free;
-      dealii::Vector<double> reduced;
-      free.reinit(unpinned, macro_.n_unknowns());
-      free.condense(residual, reduced);
-      for (unsigned int i = 0; i < macro_.first; ++i)
-        if (pinned.is_constrained(i) && !unpinned.is_constrained(i))
-          {
-            double share = 1; // all weights together over this one
-            for (const auto &entry : *pinned.get_constraint_entries(i))
-              if (entry.first < macro_.first)
-                share -= entry.second;
-            result.force.push_back(reduced[free.independent_index(i)] * share);
-          }
-      return result;
-    }
-
-    // Vertical force of one crossing [N].
-    double
-    contact_force() const
-    {
-      dealii::Vector<double> force(macro_.n_unknowns());
-      contacts_[0]->add_residual(contact_steps_[0],
-                                 contact_evaluations_[0],
-                                 force);
-      double      sum   = 0;
-      const auto &space = bodies_->space();
-      const auto  b     = cell_->contacts()[0].secondary_bundle;
-      for (unsigned int l = 0; l < space.patch(b).n_control_points(); ++l)
-        sum += force[3 * space.control_point(b, l) + 2];
-      return std::abs(sum);
-    }
-
-  private:
-    const dealii::Tensor<1, 3> origin_;
+    std::vector<double> force;   // z, then x and y of each body [N]
+    double              largest; // component of a nodal force [N]
   };
+
+  // At the last accepted state. A pin a.w = b has the reaction f if the
+  // residual, reduced with all couplings but the pins, is f a; its entry at
+  // the unknown that the pin eliminates is f times the weight there.
+  PinReactions
+  pin_reactions(const PlateRun &test)
+  {
+    Pins none;
+    none.used           = false;
+    const auto pinned   = test.couplings(test.pins);
+    const auto unpinned = test.couplings(none);
+
+    const MacroUnknowns   &macro = test.cell.macro();
+    dealii::Vector<double> residual(macro.n_unknowns());
+    test.cell.bodies().add_residual(test.state.u, residual);
+    PinReactions result;
+    result.largest = residual.linfty_norm();
+
+    ConstrainedSystem      free;
+    dealii::Vector<double> reduced;
+    free.reinit(unpinned, macro.n_unknowns());
+    // Of the accepted step: frictional forces depend on the history before it.
+    free.condense(test.trial.residual, reduced);
+    for (unsigned int i = 0; i < macro.first; ++i)
+      if (pinned.is_constrained(i) && !unpinned.is_constrained(i))
+        {
+          double share = 1; // all weights together over this one
+          for (const auto &entry : *pinned.get_constraint_entries(i))
+            if (entry.first < macro.first)
+              share -= entry.second;
+          result.force.push_back(reduced[free.independent_index(i)] * share);
+        }
+    return result;
+  }
+
+  // Vertical force of one crossing [N].
+  double
+  crossing_force(const PlateRun &test)
+  {
+    dealii::Vector<double> force(test.cell.macro().n_unknowns());
+    test.cell.contacts()[0]->add_residual(test.increment.contact[0],
+                                          test.trial.contact[0],
+                                          force);
+    double      sum   = 0;
+    const auto &space = test.cell.bodies().space();
+    const auto  b     = test.cell.fabric().contacts()[0].secondary_bundle;
+    for (unsigned int l = 0; l < space.patch(b).n_control_points(); ++l)
+      sum += force[3 * space.control_point(b, l) + 2];
+    return std::abs(sum);
+  }
 
   // Plane-stress stiffness of a ply from the small-strain stiffness of the
   // law, by classical lamination theory: invert, keep 11, 22, 12, invert.
@@ -249,26 +211,27 @@ TEST_CASE(
               std::vector<double> column(6, 0.);
               for (const int sign : {1, -1})
                 {
-                  std::ostringstream screen;
-                  PinnedTest         test({"Cell/Type=laminate",
-                                           "Cell/Plies=" + plies,
-                                           "Mesh/Elements along=2",
-                                           "Mesh/Elements across=2",
-                                           "Mesh/Elements through=1",
-                                           "Newton/Relative tolerance=1e-12",
-                                           "Newton/Absolute tolerance=1e-13",
-                                           "Load programme/Stages=tiny",
-                                           "Load programme/Stage tiny/Initial step=1",
-                                           "Load programme/Stage tiny/Maximum step=1",
-                                           "Load programme/Stage tiny/Targets=H" +
-                                             std::to_string(m + 1) +
-                                             (sign > 0 ? ": 1e-5" : ": -1e-5")},
-                                  screen,
-                                  origin,
-                                  pins);
-                  test.run_laminate();
+                  PlateRun test({"Cell/Type=laminate",
+                                 "Cell/Plies=" + plies,
+                                 "Mesh/Elements along=2",
+                                 "Mesh/Elements across=2",
+                                 "Mesh/Elements through=1",
+                                 "Newton/Relative tolerance=1e-12",
+                                 "Newton/Absolute tolerance=1e-13",
+                                 "Load programme/Stages=tiny",
+                                 "Load programme/Stage tiny/Initial step=1",
+                                 "Load programme/Stage tiny/Maximum step=1",
+                                 "Load programme/Stage tiny/Targets=H" +
+                                   std::to_string(m + 1) +
+                                   (sign > 0 ? ": 1e-5" : ": -1e-5")});
+                  // Without weaving the jumps refer to these positions.
+                  test.pins  = pins;
+                  test.woven = test.cell.bodies().space().control_points();
+                  for (dealii::Point<3> &Z : test.woven)
+                    Z -= origin;
+                  test.run();
                   for (unsigned int k = 0; k < 6; ++k)
-                    column[k] += sign * test.curve().back().n[k] / (2 * h);
+                    column[k] += sign * test.state.reactions[k] / (2 * h);
                 }
               stiffness.push_back(column);
             }
@@ -296,23 +259,21 @@ TEST_CASE(
   "[top]")
 {
   const auto test = [](const unsigned int m, const std::string &mu) {
-    std::ostringstream screen;
-    PinnedTest         result({"Cell/Type=two-crossing cell",
-                               "Cell/Two-fold axis=false",
-                               "Friction/Friction coefficient=" + mu,
-                               "Mesh/Elements along=3",
-                               "Mesh/Elements across=3",
-                               "Mesh/Elements through=1",
-                               "Newton/Relative tolerance=1e-12",
-                               "Load programme/Stage weave/Initial step=0.25",
-                               "Load programme/Stage weave/Maximum step=0.25",
-                               "Load programme/Stage shear/Targets=H" +
-                                 std::to_string(m + 1) + (m < 3 ? ": 0.05" : ": 1e-3"),
-                               "Load programme/Stage shear/Initial step=0.5",
-                               "Load programme/Stage shear/Maximum step=0.5"},
-                      screen);
+    PlateRun result({"Cell/Type=two-crossing cell",
+                     "Cell/Two-fold axis=false",
+                     "Friction/Friction coefficient=" + mu,
+                     "Mesh/Elements along=3",
+                     "Mesh/Elements across=3",
+                     "Mesh/Elements through=1",
+                     "Newton/Relative tolerance=1e-12",
+                     "Load programme/Stage weave/Initial step=0.25",
+                     "Load programme/Stage weave/Maximum step=0.25",
+                     "Load programme/Stage shear/Targets=H" +
+                       std::to_string(m + 1) + (m < 3 ? ": 0.05" : ": 1e-3"),
+                     "Load programme/Stage shear/Initial step=0.5",
+                     "Load programme/Stage shear/Maximum step=0.5"});
     result.run();
-    return std::make_pair(result.pin_reactions(), result.contact_force());
+    return std::make_pair(pin_reactions(result), crossing_force(result));
   };
   for (unsigned int m = 0; m < 6; ++m)
     {

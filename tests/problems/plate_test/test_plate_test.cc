@@ -9,57 +9,33 @@
 #include <algorithm>
 #include <sstream>
 
+#include "plate_run.h"
+
 namespace
 {
   using namespace NPT;
 
-  PlateTestParameters
-  coarse(const std::vector<std::string> &more)
+  std::vector<std::string>
+  all_overrides(const std::vector<std::string> &more)
   {
     std::vector<std::string> overrides = {"Mesh/Elements along=5",
                                           "Mesh/Elements across=5"};
     overrides.insert(overrides.end(), more.begin(), more.end());
-    return PlateTestParameters::read(make_parameter_text("", "coarse.prm"),
-                                     overrides);
+    return overrides;
   }
 
-  // The test with its state laid open.
-  class OpenTest : public NumericalPlateTesting
+  PlateTestParameters
+  coarse(const std::vector<std::string> &more)
   {
-  public:
-    OpenTest(const PlateTestParameters &parameters, std::ostream &screen)
-      : NumericalPlateTesting(parameters, "", screen)
-    {}
-
-    using NumericalPlateTesting::bodies_;
-    using NumericalPlateTesting::cell_;
-    using NumericalPlateTesting::contacts_;
-    using NumericalPlateTesting::images_;
-    using NumericalPlateTesting::macro_;
-    using NumericalPlateTesting::u_;
-
-    dealii::Tensor<2, 3>
-    dipole()
-    {
-      dealii::Vector<double> force(macro_.n_unknowns());
-      for (unsigned int c = 0; c < contacts_.size(); ++c)
-        {
-          contacts_[c]->evaluate(contact_steps_[c],
-                                 u_,
-                                 contact_evaluations_[c]);
-          contacts_[c]->add_residual(contact_steps_[c],
-                                     contact_evaluations_[c],
-                                     force);
-        }
-      return contact_dipole(*cell_, bodies_->space(), images_, force);
-    }
-  };
+    return PlateTestParameters::read(make_parameter_text("", "coarse.prm"),
+                                     all_overrides(more));
+  }
 
   std::vector<CurveRow>
   run(const std::vector<std::string> &more)
   {
-    std::ostringstream screen;
-    OpenTest           test(coarse(more), screen);
+    std::ostringstream    screen;
+    NumericalPlateTesting test(coarse(more), "", screen);
     test.run();
     return test.curve();
   }
@@ -140,22 +116,22 @@ TEST_CASE("Macro reactions are the derivative of the energy without friction",
 TEST_CASE("Averages and conjugates differ by exactly the contact dipole",
           "[top]")
 {
-  // Without friction the contact forces are a function of the final state, so
-  // that the dipole can be evaluated anew, independently of the run.
-  std::ostringstream screen;
-  auto               overrides = shear_in_steps(10, "0");
+  auto overrides = shear_in_steps(10, "0");
   overrides.push_back("Newton/Relative tolerance=1e-12");
-  OpenTest test(coarse(overrides), screen);
+  PlateTestTools::PlateRun test(all_overrides(overrides));
   test.run();
-  const CurveRow &row = test.curve().back();
-  const auto      D   = test.dipole();
-  CHECK(row.n[0] == Approx(row.N[0][0] + D[0][0]).epsilon(1e-9));
-  CHECK(row.n[1] == Approx(row.N[1][1] + D[1][1]).epsilon(1e-9));
-  CHECK(row.n[2] ==
-        Approx(0.5 * (row.N[0][1] + row.N[1][0] + D[0][1] + D[1][0]))
-          .epsilon(1e-9));
+  const auto &n = test.state.reactions;
+  const auto  N = test.cell.averages(test.state.u, test.woven).N;
+  const auto  D = contact_dipole(test.cell.fabric(),
+                                test.cell.bodies().space(),
+                                test.cell.images(),
+                                test.contact_force());
+  CHECK(n[0] == Approx(N[0][0] + D[0][0]).epsilon(1e-9));
+  CHECK(n[1] == Approx(N[1][1] + D[1][1]).epsilon(1e-9));
+  CHECK(n[2] ==
+        Approx(0.5 * (N[0][1] + N[1][0] + D[0][1] + D[1][0])).epsilon(1e-9));
   // It is not small: a code that mixes the two up is wrong by this.
-  CHECK(std::abs(row.n[2] - row.N[0][1]) > 0.03 * row.n[2]);
+  CHECK(std::abs(n[2] - N[0][1]) > 0.03 * n[2]);
 }
 
 
@@ -225,14 +201,15 @@ TEST_CASE("A run in which the bundles penetrate each other deeply says so",
           "[top]")
 {
   const auto warned = [](const std::string &penalty) {
-    std::ostringstream screen;
-    OpenTest           test(
+    std::ostringstream    screen;
+    NumericalPlateTesting test(
       PlateTestParameters::read(make_parameter_text("", "weave.prm"),
                                 {"Mesh/Elements along=3",
-                                           "Mesh/Elements across=3",
-                                           "Mesh/Elements through=1",
-                                           "Contact/Normal penalty=" + penalty,
-                                           "Load programme/Stages=weave, release"}),
+                                 "Mesh/Elements across=3",
+                                 "Mesh/Elements through=1",
+                                 "Contact/Normal penalty=" + penalty,
+                                 "Load programme/Stages=weave, release"}),
+      "",
       screen);
     test.run();
     const double depth = test.curve().back().largest_penetration;
@@ -299,12 +276,14 @@ TEST_CASE("Compression along the fibers ends where ellipticity is lost, and "
           "says so",
           "[top][.slow]")
 {
-  std::ostringstream screen;
-  OpenTest           test(coarse({"Stability/Check ellipticity=true",
-                                  "Load programme/Stages=weave, release, compression",
-                                  "Load programme/Stage compression/Targets=H1: -0.3",
-                                  "Load programme/Stage compression/Minimum step=0.01"}),
-                screen);
+  std::ostringstream    screen;
+  NumericalPlateTesting test(
+    coarse({"Stability/Check ellipticity=true",
+            "Load programme/Stages=weave, release, compression",
+            "Load programme/Stage compression/Targets=H1: -0.3",
+            "Load programme/Stage compression/Minimum step=0.01"}),
+    "",
+    screen);
   try
     {
       test.run();
@@ -326,17 +305,18 @@ TEST_CASE("A coarse cell of thick C0 bundles weaves with mortar contact where "
   // Sharp kinks: a point that carries load is held in a fold at 0.475.
   for (const bool rounded : {false, true})
     {
-      std::ostringstream screen;
-      OpenTest           test(
+      std::ostringstream    screen;
+      NumericalPlateTesting test(
         PlateTestParameters::read(make_parameter_text("", "c0.prm"),
                                   {"Mesh/Basis=Bernstein",
-                                             "Mesh/Elements along=5",
-                                             "Mesh/Elements across=5",
-                                             "Cell/Bundle thickness=1.6",
-                                             "Friction/Friction coefficient=0",
-                                             "Load programme/Stages=weave",
-                                             std::string("Contact/Kink rounding=") +
-                                               (rounded ? "0.1" : "0")}),
+                                   "Mesh/Elements along=5",
+                                   "Mesh/Elements across=5",
+                                   "Cell/Bundle thickness=1.6",
+                                   "Friction/Friction coefficient=0",
+                                   "Load programme/Stages=weave",
+                                   std::string("Contact/Kink rounding=") +
+                                     (rounded ? "0.1" : "0")}),
+        "",
         screen);
       if (rounded)
         {
@@ -370,10 +350,12 @@ TEST_CASE("The C0 Bernstein and the FE_Q cell are the same discretization",
       bernstein.push_back("Mesh/Basis=Bernstein");
       lagrange.push_back("Mesh/Basis=Lagrange");
       const auto read = [](const std::vector<std::string> &overrides) {
-        std::ostringstream screen;
-        OpenTest           test(PlateTestParameters::read(
-                        make_parameter_text("", "c0.prm"), overrides),
-                      screen);
+        std::ostringstream    screen;
+        NumericalPlateTesting test(
+          PlateTestParameters::read(make_parameter_text("", "c0.prm"),
+                                    overrides),
+          "",
+          screen);
         test.run();
         return test.curve().back();
       };

@@ -9,67 +9,45 @@
 #include <random>
 #include <sstream>
 
+#include "plate_run.h"
+
 namespace
 {
   using namespace NPT;
   using dealii::Point;
   using dealii::Tensor;
   using dealii::Vector;
+  using PlateTestTools::PlateRun;
 
-  // The test with its state laid open.
-  class OpenTest : public NumericalPlateTesting
+  // Positions of the control points of a bundle, seen through an operation.
+  std::vector<Point<3>>
+  image(const PlateRun          &test,
+        const unsigned int       bundle,
+        const SymmetryOperation &g)
   {
-  public:
-    OpenTest(const std::vector<std::string> &overrides, std::ostream &screen)
-      : NumericalPlateTesting(
-          PlateTestParameters::read(make_parameter_text("", "seam.prm"),
-                                    overrides),
-          "",
-          screen)
-    {}
-
-    using NumericalPlateTesting::bodies_;
-    using NumericalPlateTesting::cell_;
-    using NumericalPlateTesting::images_;
-    using NumericalPlateTesting::macro_;
-    using NumericalPlateTesting::u_;
-    using NumericalPlateTesting::woven_;
-
-    // The couplings at reference positions.
-    dealii::AffineConstraints<double>
-    make_reference_couplings()
-    {
-      make_unit_cell();
-      setup_system();
-      return make_couplings(*cell_, bodies_->space(), macro_, images_);
-    }
-
-    // Positions of the control points of a bundle, seen through an operation.
-    std::vector<Point<3>>
-    image(const unsigned int bundle, const SymmetryOperation &g) const
-    {
-      const IGASpace<3>    &space = bodies_->space();
-      std::vector<Point<3>> points;
-      for (unsigned int l = 0; l < space.patch(bundle).n_control_points(); ++l)
-        {
-          const unsigned int A = space.control_point(bundle, l);
-          const Point<3>     X = space.control_points()[A];
-          const Point<3>     Y = woven_.empty() ? X : woven_[A];
-          Point<3>           x = g(X);
-          for (unsigned int i = 0; i < 3; ++i)
-            {
-              x[i] += g.Q[i] * u_[3 * A + i];
-              for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
-                if (cell_->represents_mode(n))
-                  x[i] += u_[macro_.mode(n)] *
-                          (macroscopic_displacement(n, g(Y))[i] -
-                           g.Q[i] * macroscopic_displacement(n, Y)[i]);
-            }
-          points.push_back(x);
-        }
-      return points;
-    }
-  };
+    const FabricCell     &cell  = test.cell.fabric();
+    const IGASpace<3>    &space = test.cell.bodies().space();
+    const Vector<double> &u     = test.state.u;
+    std::vector<Point<3>> points;
+    for (unsigned int l = 0; l < space.patch(bundle).n_control_points(); ++l)
+      {
+        const unsigned int A = space.control_point(bundle, l);
+        const Point<3>     X = space.control_points()[A];
+        const Point<3>     Y = test.woven.empty() ? X : test.woven[A];
+        Point<3>           x = g(X);
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            x[i] += g.Q[i] * u[3 * A + i];
+            for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+              if (cell.represents_mode(n))
+                x[i] += u[test.cell.macro().mode(n)] *
+                        (macroscopic_displacement(n, g(Y))[i] -
+                         g.Q[i] * macroscopic_displacement(n, Y)[i]);
+          }
+        points.push_back(x);
+      }
+    return points;
+  }
 
   // Derivative of the position along a bundle at (xi, eta, zeta), evaluated
   // on a span that ends or begins at xi. Weights do not change along.
@@ -107,10 +85,10 @@ namespace
   // crossings, relative to its length (the angle of a kink [rad], if it is
   // small), and how many seams there are.
   std::pair<double, unsigned int>
-  largest_kink(const OpenTest &test)
+  largest_kink(const PlateRun &test)
   {
-    const FabricCell       &cell  = *test.cell_;
-    const IGASpace<3>      &space = test.bodies_->space();
+    const FabricCell       &cell  = test.cell.fabric();
+    const IGASpace<3>      &space = test.cell.bodies().space();
     const SymmetryOperation identity{"",
                                      Tensor<1, 3>({1., 1., 1.}),
                                      Tensor<1, 3>()};
@@ -124,7 +102,7 @@ namespace
       {
         const NURBSPatch<3> &patch = space.patch(b);
         const KnotVector    &along = patch.knot_vector(0);
-        const auto           x     = test.image(b, identity);
+        const auto           x     = image(test, b, identity);
         for (unsigned int k = 1; k < along.n_spans(); ++k)
           if (along.multiplicity(along.breaks()[k]) >= along.degree())
             {
@@ -149,7 +127,8 @@ namespace
                     .distance(next.value(Point<3>(0., 0.5, 0.5))) > 1e-9)
                 continue;
               ++n_seams;
-              const auto x_b = test.image(b, g), x_c = test.image(c, identity);
+              const auto x_b = image(test, b, g),
+                         x_c = image(test, c, identity);
               for (const double eta : {0., 0.3, 0.5, 0.9, 1.})
                 for (const double zeta : {0., 0.5, 0.8, 1.})
                   compare(
@@ -205,26 +184,24 @@ TEST_CASE("A homogeneous deformation obeys the couplings of a smooth closure, "
           unsigned int              n_free[2];
           for (const bool smooth : {false, true})
             {
-              std::ostringstream screen;
-              OpenTest           test({"Cell/Weave=" + cell.substr(0, comma),
-                                       "Cell/Type=" + cell.substr(comma + 2),
-                                       "Cell/Two-fold axis=" + axis,
-                                       std::string("Cell/Smooth closure=") +
-                                         (smooth ? "true" : "false"),
-                                       "Mesh/Elements along=" + elements,
-                                       "Mesh/Elements across=2",
-                                       "Mesh/Elements through=1"},
-                            screen);
-              const auto         couplings = test.make_reference_couplings();
-              Vector<double>     u(test.macro_.n_unknowns());
+              PlateRun       test({"Cell/Weave=" + cell.substr(0, comma),
+                                   "Cell/Type=" + cell.substr(comma + 2),
+                                   "Cell/Two-fold axis=" + axis,
+                                   std::string("Cell/Smooth closure=") +
+                                     (smooth ? "true" : "false"),
+                                   "Mesh/Elements along=" + elements,
+                                   "Mesh/Elements across=2",
+                                   "Mesh/Elements through=1"});
+              const auto     couplings = test.couplings();
+              Vector<double> u(test.cell.macro().n_unknowns());
               for (unsigned int n = 0; n < 3; ++n)
-                u[test.macro_.mode(n)] = H[n];
-              const auto &X = test.bodies_->space().control_points();
+                u[test.cell.macro().mode(n)] = H[n];
+              const auto &X = test.cell.bodies().space().control_points();
               for (unsigned int A = 0; A < X.size(); ++A)
                 for (unsigned int i = 0; i < 3; ++i)
                   for (unsigned int n = 0; n < 3; ++n)
                     u[3 * A + i] += H[n] * macroscopic_displacement(n, X[A])[i];
-              for (const PeriodicImage &periodic_image : test.images_)
+              for (const PeriodicImage &periodic_image : test.cell.images())
                 for (unsigned int l = 0; l < periodic_image.reference.size();
                      ++l)
                   for (unsigned int i = 0; i < 3; ++i)
@@ -237,7 +214,7 @@ TEST_CASE("A homogeneous deformation obeys the couplings of a smooth closure, "
               distributed -= u;
               CHECK(distributed.linfty_norm() < 1e-13);
               n_free[smooth] =
-                test.macro_.n_unknowns() - couplings.n_constraints();
+                test.cell.macro().n_unknowns() - couplings.n_constraints();
 
               // Any other state is C1, in H4 to H6 as well.
               if (!smooth)
@@ -247,25 +224,22 @@ TEST_CASE("A homogeneous deformation obeys the couplings of a smooth closure, "
               for (double &value : u)
                 value = entry(generator);
               couplings.distribute(u);
-              test.u_         = u;
+              test.state.u    = u;
               const auto kink = largest_kink(test);
-              CHECK(kink.second >= test.cell_->bundles().size());
+              CHECK(kink.second >= test.cell.fabric().bundles().size());
               CHECK(kink.first < 1e-12);
             }
           if (axis == "false")
             {
               // One seam per crossing of each strand.
-              std::ostringstream screen;
-              OpenTest           test({"Cell/Weave=" + cell.substr(0, comma),
-                                       "Cell/Type=" + cell.substr(comma + 2),
-                                       "Cell/Two-fold axis=false",
-                                       "Mesh/Elements along=" + elements,
-                                       "Mesh/Elements across=2",
-                                       "Mesh/Elements through=1"},
-                            screen);
-              test.make_reference_couplings();
-              const double n_crossings = test.cell_->area() / 25.;
-              const auto  &patch       = test.bodies_->space().patch(0);
+              PlateRun     test({"Cell/Weave=" + cell.substr(0, comma),
+                                 "Cell/Type=" + cell.substr(comma + 2),
+                                 "Cell/Two-fold axis=false",
+                                 "Mesh/Elements along=" + elements,
+                                 "Mesh/Elements across=2",
+                                 "Mesh/Elements through=1"});
+              const double n_crossings = test.cell.fabric().area() / 25.;
+              const auto  &patch       = test.cell.bodies().space().patch(0);
               CHECK(n_free[0] - n_free[1] == 2 * 3 * n_crossings *
                                                patch.n_control_points(1) *
                                                patch.n_control_points(2));
@@ -302,11 +276,10 @@ TEST_CASE("Woven and loaded bundles have no kink at a smooth seam", "[top]")
           auto all = overrides;
           all.push_back(std::string("Cell/Smooth closure=") +
                         (smooth ? "true" : "false"));
-          std::ostringstream screen;
-          OpenTest           test(small(all), screen);
+          PlateRun test(small(all));
           test.run();
           const auto kink = largest_kink(test);
-          CHECK(kink.second >= test.cell_->bundles().size());
+          CHECK(kink.second >= test.cell.fabric().bundles().size());
           if (smooth)
             CHECK(kink.first < 1e-12);
           else
@@ -325,15 +298,19 @@ TEST_CASE("With and without a smooth closure the curve of shear tends to the "
     std::vector<std::vector<CurveRow>> curves;
     for (const std::string smooth : {"false", "true"})
       {
-        std::ostringstream screen;
-        OpenTest           test({"Mesh/Elements along=" + elements,
-                                 "Mesh/Elements across=" + elements,
-                                 "Load programme/Stage weave/Initial step=0.25",
-                                 "Load programme/Stage weave/Maximum step=0.25",
-                                 "Load programme/Stage shear/Initial step=0.25",
-                                 "Load programme/Stage shear/Maximum step=0.25",
-                                 "Cell/Smooth closure=" + smooth},
-                      screen);
+        std::ostringstream    screen;
+        NumericalPlateTesting test(
+          PlateTestParameters::read(
+            make_parameter_text("", "seam.prm"),
+            {"Mesh/Elements along=" + elements,
+             "Mesh/Elements across=" + elements,
+             "Load programme/Stage weave/Initial step=0.25",
+             "Load programme/Stage weave/Maximum step=0.25",
+             "Load programme/Stage shear/Initial step=0.25",
+             "Load programme/Stage shear/Maximum step=0.25",
+             "Cell/Smooth closure=" + smooth}),
+          "",
+          screen);
         test.run();
         curves.push_back(test.curve());
       }

@@ -11,7 +11,7 @@
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/linear_algebra/constrained_system.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
-#include <npt_dealii/load_step/newton.h>
+#include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/identification/identification.h>
 #include <npt_dealii/problems/material_test/fiber_array.h>
 #include <npt_dealii/problems/material_test/material_test_parameters.h>
@@ -59,11 +59,10 @@ namespace NPT
     NumericalMaterialTesting(const MaterialTestParameters &parameters,
                              const std::string            &directory,
                              std::ostream                 &screen);
-    virtual ~NumericalMaterialTesting() = default;
 
     /// Moduli, tests, fit. Throws StageFailed if a test cannot be finished;
     /// results up to there are complete on disk.
-    virtual void
+    void
     run();
 
     const std::vector<MaterialTestRow> &
@@ -82,8 +81,8 @@ namespace NPT
       return stiffness_;
     }
     /**
-     * Macroscopic tangent dP/dH (9 x 9, row major components) at the present
-     * state by static condensation,
+     * Macroscopic tangent dP/dH (9 x 9, row major components) at the end of the
+     * last test (before: at the natural state) by static condensation,
      *
      * @f[ |V| A = K_{HH} - K_{Hf} K_{ff}^{-1} K_{fH} @f]
      *
@@ -103,7 +102,7 @@ namespace NPT
       return system_.n_independent();
     }
 
-  protected:
+  private:
     void
     make_micro_cell();
     void
@@ -117,18 +116,13 @@ namespace NPT
 
     void
     begin_test(const MaterialTest &test);
-    bool
-    solve_load_step(const MaterialTest &test, const double load_factor);
     void
-    accept_load_step(const MaterialTest &test, const double load_factor);
-
+    add_row(const MaterialTest &test, const AcceptedStep &step);
     void
     write_row(const MaterialTestRow &row);
-
     void
-    assemble_tangent(const dealii::Vector<double> &u);
-    void
-    compute_averages(MaterialTestRow &row) const;
+    compute_averages(const dealii::Vector<double> &u,
+                     MaterialTestRow              &row) const;
     void
     output_fields(const MaterialTest &test) const;
 
@@ -141,20 +135,11 @@ namespace NPT
     std::unique_ptr<FiberArray>       cell_;
     std::unique_ptr<DeformableBodies> bodies_; // fibers and matrix
     SolidMacroUnknowns                macro_;
+    std::vector<unsigned int>         cell_groups_;
 
-    ConstrainedSystem             system_;
-    DeformableBodies::CellGroups  cell_groups_; // in system_
-    std::unique_ptr<LinearSolver> linear_solver_;
-
-    // The accepted state of the present test and the one before.
-    dealii::Vector<double> u_, u_previous_;
-    bool                   has_previous_ = false;
-    double                 load_factor_ = 0, load_factor_previous_ = 0;
-
-    // The trial state of the last solve_load_step().
-    dealii::Vector<double> u_trial_, residual_;
-    NewtonReport           report_;
-    std::string            failure_reason_;
+    ConstrainedSystem system_;
+    LinearSolver      linear_solver_;
+    State             state_; // accepted last
 
     dealii::FullMatrix<double>            stiffness_;
     std::vector<MaterialTestRow>          rows_;

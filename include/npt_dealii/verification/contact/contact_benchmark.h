@@ -10,7 +10,7 @@
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/linear_algebra/constrained_system.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
-#include <npt_dealii/load_step/newton.h>
+#include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/solid/deformable_bodies.h>
 #include <npt_dealii/verification/contact/contact_benchmark_parameters.h>
 #include <npt_dealii/verification/contact/contact_cases.h>
@@ -111,21 +111,11 @@ namespace NPT
     void
     setup_system();
     void
-    run_stage(const ContactStage &stage);
+    run_stage(const unsigned int index);
     void
-    begin_stage(const ContactStage &stage);
-    bool
-    solve_load_step(const double load_factor);
+    add_row(const ContactStage &stage, const AcceptedStep &step);
     void
-    accept_load_step(const ContactStage &stage, const double load_factor);
-    /// Returns the forces before they cancel [N].
-    double
-    assemble_residual(const dealii::Vector<double> &u,
-                      dealii::Vector<double>       &residual);
-    void
-    assemble_tangent(const dealii::Vector<double> &u);
-    void
-    balance(ContactRow &row) const;
+    balance(const AcceptedStep &step, ContactRow &row) const;
 
     // Comparisons, contact_comparisons.cc.
     void
@@ -178,31 +168,13 @@ namespace NPT
     ContactModel                      model_;
     std::unique_ptr<DeformableBodies> bodies_;
     std::unique_ptr<IGASurface<3>>    surfaces_[2]; // secondary, primary
-    std::unique_ptr<ContactPair<3>>   contact_;
-    // Accepted state, present load step, last displacement of the one pair.
-    ContactState<3>                   contact_state_;
-    std::vector<ContactStep<3>>       contact_step_{1};
-    std::vector<ContactEvaluation<3>> contact_evaluation_{1};
+    ContactPairs                      contacts_;    // one
     ConstrainedSystem                 system_;
     DeformableBodies::CellGroups      cell_groups_; // in system_
-    std::unique_ptr<LinearSolver>     linear_solver_;
-    bool                              pattern_is_current_ = false;
+    LinearSolver                      linear_solver_;
 
-    // Handles: how they are driven in this stage.
-    struct HandleState
-    {
-      bool                                  by_force = false;
-      double                                start    = 0; ///< value or force
-      double                                applied  = 0; ///< force
-      double                                reaction = 0; ///< accepted
-      std::function<double(double, double)> value;
-    };
-    std::vector<HandleState> handles_;
-    bool                     friction_was_on_ = false;
-
-    dealii::Vector<double> u_, u_trial_, residual_;
-    NewtonReport           report_;
-    std::string            failure_reason_;
+    State                state_;      // accepted
+    ContactEvaluation<3> evaluation_; // of the last accepted step
 
     std::vector<ContactRow>                     rows_;
     std::vector<ContactComparison>              comparisons_;

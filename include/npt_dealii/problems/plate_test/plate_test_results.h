@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Defines what a plate test leaves: the curve, the log, fields and pictures.
+
+#ifndef npt_dealii_problems_plate_test_plate_test_results_h
+#define npt_dealii_problems_plate_test_plate_test_results_h
+
+#include <npt_dealii/io/run_log.h>
+#include <npt_dealii/linear_algebra/linear_solver.h>
+#include <npt_dealii/load_step/load_stepper.h>
+#include <npt_dealii/problems/plate_test/curve_writer.h>
+#include <npt_dealii/problems/plate_test/plate_cell.h>
+#include <npt_dealii/problems/plate_test/step_table.h>
+
+#include <deal.II/base/timer.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace NPT
+{
+  /**
+   * The results of a plate test, collected step by step. Every file is complete
+   * on disk as far as the test has come. Nothing here acts back on the test.
+   */
+  class PlateTestResults
+  {
+  public:
+    /// @param directory Existing folder; empty: write nothing (tests).
+    PlateTestResults(const PlateTestParameters &parameters,
+                     const std::string         &directory,
+                     RunLog                    &log,
+                     dealii::TimerOutput       &timer);
+
+    /// One row per accepted step.
+    const std::vector<CurveRow> &
+    curve() const
+    {
+      return curve_;
+    }
+    const std::string &
+    directory() const
+    {
+      return directory_;
+    }
+
+    /// used_parameters.prm, and the head of the log with the sizes.
+    void
+    begin_log(const PlateCell &cell);
+    /// The same, and an empty curve file.
+    void
+    begin(const PlateCell &cell);
+    void
+    begin_stage(const LoadStage &stage);
+    /// A row of the curve, a line of the log, and fields if they are due.
+    void
+    add_step(const PlateCell                     &cell,
+             const LoadStage                     &stage,
+             const AcceptedStep                  &step,
+             const std::vector<dealii::Point<3>> &woven);
+    /// Script and points of the picture of the deformed cell; draw_cells()
+    /// draws them all. What goes wrong is a warning in the log.
+    void
+    end_stage(const PlateCell                     &cell,
+              const LoadStage                     &stage,
+              const State                         &state,
+              const std::vector<dealii::Point<3>> &woven);
+    void
+    draw_cells();
+    /// Hysteresis, warnings, pictures, times.
+    void
+    finish(const PlateCell    &cell,
+           const LinearSolver &linear_solver,
+           ConstrainedSystem  &system);
+
+  private:
+    CurveRow
+    make_row(const PlateCell    &cell,
+             const LoadStage    &stage,
+             const AcceptedStep &step) const;
+    void
+    write_fields(const PlateCell &cell, const AcceptedStep &step);
+    void
+    write_picture(const PlateCell                     &cell,
+                  const LoadStage                     &stage,
+                  const State                         &state,
+                  const std::vector<dealii::Point<3>> &woven);
+    void
+    warn_of_penetration();
+    double
+    cpu_seconds() const;
+
+    const PlateTestParameters &parameters_;
+    const std::string          directory_;
+    RunLog                    &log_;
+    dealii::TimerOutput       &timer_;
+    const double               cpu_start_;
+    StepTable                  step_table_;
+
+    std::vector<CurveRow>                       curve_;
+    std::unique_ptr<CurveWriter>                curve_writer_;
+    std::vector<std::pair<double, std::string>> bundle_files_, contact_files_;
+    std::vector<std::string>                    cell_scripts_;
+    double                                      stages_done_ = 0;
+  };
+} // namespace NPT
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Defines one stage of a plate test as an equilibrium problem: couplings,
+// loads, virtual work of bundles and contact.
+
+#ifndef npt_dealii_problems_plate_test_plate_test_stage_h
+#define npt_dealii_problems_plate_test_plate_test_stage_h
+
+#include <npt_dealii/load_step/equilibrium_problem.h>
+#include <npt_dealii/problems/plate_test/plate_cell.h>
+
+#include <deal.II/base/timer.h>
+
+#include <array>
+
+namespace NPT
+{
+  /**
+   * A stage drives the macro unknowns from their values at its start to their
+   * targets, linearly in the load factor. Unknowns are u = (w of all control
+   * points, H1..H6, weaving offset, images); the couplings of the cell leave
+   * the independent ones m, u = C m, of which H1 to H6 and the offset are
+   * prescribed, or loaded by resultants,
+   *
+   * @f[ C^T ( f_{int}(u) + f_{contact}(u) + f_{foundation}(u) )
+   *     = f_{macro}. @f]
+   */
+  class PlateTestStage : public EquilibriumProblem
+  {
+  public:
+    /**
+     * @param index  Of the stage in the load programme; the stages before it
+     *   tell which components are controlled by resultants and whether friction
+     *   has begun.
+     * @param before The accepted state at the end of the stage before.
+     * @param woven  PlateCell::woven_positions(), empty until weaving ends.
+     * @param system Receives couplings, cells and prescribed unknowns.
+     * @param timer  Sections of the assembly, if given.
+     */
+    PlateTestStage(const PlateCell                     &cell,
+                   const PlateTestParameters           &parameters,
+                   const unsigned int                   index,
+                   const State                         &before,
+                   const std::vector<dealii::Point<3>> &woven,
+                   ConstrainedSystem                   &system,
+                   dealii::TimerOutput                 *timer = nullptr,
+                   const Pins                          &pins  = {});
+
+    /// The state from which the stage begins: load factor 0, friction on or
+    /// off, and its couplings obeyed to the last digit.
+    const State &
+    start() const
+    {
+      return start_;
+    }
+
+    Increment
+    increment(const State &accepted, const double load_factor) const override;
+    void
+    evaluate(const Increment &increment, Trial &trial) const override;
+    bool
+    add_tangent(const Increment   &increment,
+                const Trial       &trial,
+                ConstrainedSystem &system) const override;
+    std::vector<std::vector<unsigned int>>
+    couplings(const Increment &increment, const Trial &trial) const override;
+    /// Ellipticity at all quadrature points, if asked for.
+    void
+    check(const Trial &trial) const override;
+    State
+    accept(const State     &before,
+           const Increment &increment,
+           const Trial     &trial) const override;
+    const ContactPairs &
+    contacts() const override
+    {
+      return cell_.contacts();
+    }
+
+    /// Whether n_{i+1} is prescribed instead of H_{i+1}.
+    bool
+    resultant_controlled(const unsigned int i) const
+    {
+      return resultant_controlled_[i];
+    }
+
+  private:
+    void
+    set_loads(const std::vector<LoadStage> &stages, const State &before);
+    void
+    set_prescribed(ConstrainedSystem &system) const;
+    void
+    make_foundation(const std::vector<LoadStage> &stages);
+    State
+    make_start(const State &before, const bool friction_was_on) const;
+    // What the release has left of the foundation.
+    double
+    foundation_share(const double load_factor) const;
+
+    const PlateCell           &cell_;
+    const PlateTestParameters &parameters_;
+    const unsigned int         index_;
+    const LoadStage           &stage_;
+    const ConstrainedSystem   &system_;
+    dealii::TimerOutput       *timer_;
+    std::vector<unsigned int>  cell_groups_; // of the bundles in the system
+
+    std::array<double, MacroUnknowns::n_macro> from_{}, to_{};
+    std::array<double, MacroUnknowns::n_modes> force_from_{}, force_to_{};
+    std::array<bool, MacroUnknowns::n_modes>   resultant_controlled_{};
+    std::vector<double> foundation_; // per unknown; empty: none
+    State               start_;
+  };
+} // namespace NPT
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The loop over load steps.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/load_step/load_stepper.h>
+
+#include <utility>
+
+namespace NPT
+{
+  LoadStepper::LoadStepper(const NewtonParameters  &newton,
+                           const ContactParameters &augmentation,
+                           ConstrainedSystem       &system,
+                           LinearSolver            &linear_solver,
+                           RunLog                  &log,
+                           dealii::TimerOutput     *timer)
+    : newton_(newton)
+    , augmentation_(augmentation)
+    , system_(system)
+    , linear_solver_(linear_solver)
+    , log_(log)
+    , timer_(timer)
+  {}
+
+
+
+  State
+  LoadStepper::run(const EquilibriumProblem &problem,
+                   const State              &start,
+                   const StepParameters     &steps,
+                   const std::string        &name,
+                   const Predictor           predictor,
+                   const Visitor            &visitor)
+  {
+    State                state = start;
+    std::optional<State> previous; // for the extrapolation
+    unsigned int         n_cuts = 0;
+    StepControl          control(steps, name);
+    while (!control.finished())
+      {
+        const double            load_factor = control.trial();
+        std::optional<LoadStep> step;
+        LoadStepReport          report;
+        // Only failures of the LoadStepFailure family are survivable.
+        try
+          {
+            step.emplace(problem,
+                         state,
+                         problem.increment(state, load_factor),
+                         system_,
+                         linear_solver_,
+                         timer_);
+            report = solve(*step, problem, state, previous);
+          }
+        catch (const LoadStepFailure &failure)
+          {
+            ++n_cuts;
+            control.reject(failure); // throws if the step becomes too small
+            log_.cut(name, load_factor, failure.what(), control.step());
+            continue;
+          }
+        State accepted =
+          problem.accept(state, step->increment(), step->trial());
+        control.accept(report.newton.iterations);
+        visitor({state,
+                 accepted,
+                 step->increment(),
+                 step->trial(),
+                 report,
+                 std::exchange(n_cuts, 0)});
+        if (predictor == Predictor::extrapolation)
+          previous = std::move(state);
+        else if (predictor == Predictor::proportional)
+          previous = start;
+        state = std::move(accepted);
+      }
+    return state;
+  }
+
+
+
+  LoadStepReport
+  LoadStepper::solve(LoadStep                   &step,
+                     const EquilibriumProblem   &problem,
+                     const State                &state,
+                     const std::optional<State> &previous) const
+  {
+    const bool extrapolated =
+      previous &&
+      step.extrapolate(previous->u,
+                       (step.increment().load_factor - state.load_factor) /
+                         (state.load_factor - previous->load_factor));
+    if (!extrapolated)
+      step.follow_tangent();
+    const LoadStepReport report = step.solve(newton_, augmentation_);
+    problem.check(step.trial());
+    return report;
+  }
+} // namespace NPT

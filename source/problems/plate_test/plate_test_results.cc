@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Curve, log, fields and pictures of a plate test.
+
+#include <npt_dealii/base/short_number.h>
+#include <npt_dealii/contact/contact_fields.h>
+#include <npt_dealii/io/gnuplot.h>
+#include <npt_dealii/io/vtu_file.h>
+#include <npt_dealii/problems/plate_test/cell_picture.h>
+#include <npt_dealii/problems/plate_test/hysteresis.h>
+#include <npt_dealii/problems/plate_test/plate_test_results.h>
+#include <npt_dealii/problems/plate_test/plots.h>
+#include <npt_dealii/solid/solid_fields.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+namespace NPT
+{
+  using dealii::Tensor;
+  using dealii::TimerOutput;
+
+  PlateTestResults::PlateTestResults(const PlateTestParameters &parameters,
+                                     const std::string         &directory,
+                                     RunLog                    &log,
+                                     TimerOutput               &timer)
+    : parameters_(parameters)
+    , directory_(directory)
+    , log_(log)
+    , timer_(timer)
+    , cpu_start_(process_cpu_seconds())
+    , step_table_(log)
+  {}
+
+
+
+  double
+  PlateTestResults::cpu_seconds() const
+  {
+    return process_cpu_seconds() - cpu_start_;
+  }
+
+
+
+  void
+  PlateTestResults::begin_log(const PlateCell &cell)
+  {
+    if (!directory_.empty())
+      std::ofstream(directory_ + "/used_parameters.prm")
+        << parameters_.used_file;
+    log_.header("npt_dealii",
+                {{"cell", parameters_.cell.type},
+                 {"bundles", std::to_string(cell.fabric().bundles().size())},
+                 {"cells",
+                  std::to_string(cell.bodies().space().cells().size())},
+                 {"degree", std::to_string(parameters_.mesh.degree)},
+                 {"unknowns", std::to_string(cell.macro().n_unknowns())},
+                 {"contact nodes",
+                  std::to_string(cell.n_contact_nodes()) + " (" +
+                    parameters_.contact.method + ")"}});
+    if (!parameters_.reason_for_type.empty())
+      log_.line("The program chose the " + parameters_.cell.type + ", " +
+                parameters_.reason_for_type + ".");
+  }
+
+
+
+  void
+  PlateTestResults::begin(const PlateCell &cell)
+  {
+    begin_log(cell);
+    if (!directory_.empty())
+      curve_writer_ = std::make_unique<CurveWriter>(directory_ + "/curves.csv");
+  }
+
+
+
+  void
+  PlateTestResults::begin_stage(const LoadStage &stage)
+  {
+    std::vector<unsigned int> driven;
+    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+      if (stage.H_targets.count(n) + stage.n_targets.count(n) > 0)
+        driven.push_back(n);
+    step_table_.show_components(driven);
+  }
+
+
+
+  void
+  PlateTestResults::add_step(const PlateCell                     &cell,
+                             const LoadStage                     &stage,
+                             const AcceptedStep                  &step,
+                             const std::vector<dealii::Point<3>> &woven)
+  {
+    CurveRow         row      = make_row(cell, stage, step);
+    const Resultants averages = cell.averages(step.after.u, woven);
+    row.N                     = averages.N;
+    row.M                     = averages.M;
+    row.cpu_seconds           = cpu_seconds();
+    curve_.push_back(row);
+    if (curve_writer_)
+      curve_writer_->write(row);
+    step_table_.add_row(row, step.report.final_residual);
+
+    const double load_factor = step.after.load_factor;
+    log_.progress((stages_done_ + load_factor) /
+                    parameters_.load_programme.stages.size(),
+                  cpu_seconds());
+    if (parameters_.output.fields == "steps" ||
+        (parameters_.output.fields == "stages" && load_factor == 1.))
+      write_fields(cell, step);
+  }
+
+
+
+  CurveRow
+  PlateTestResults::make_row(const PlateCell    &cell,
+                             const LoadStage    &stage,
+                             const AcceptedStep &step) const
+  {
+    const State &state = step.after;
+    CurveRow     row;
+    row.step        = curve_.size() + 1;
+    row.stage       = stage.name;
+    row.load_factor = state.load_factor;
+    if (!curve_.empty())
+      {
+        row.dissipation   = curve_.back().dissipation;
+        row.external_work = curve_.back().external_work;
+      }
+    // Weaving does work through its own offset, which is not counted.
+    double work = 0;
+    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+      {
+        row.H[n]        = state.u[cell.macro().mode(n)];
+        row.n[n]        = state.reactions[n];
+        const double dH = row.H[n] - step.before.u[cell.macro().mode(n)];
+        work += 0.5 * (state.reactions[n] + step.before.reactions[n]) * dH *
+                cell.fabric().area();
+      }
+    row.external_work += work;
+    for (unsigned int k = 0; k < cell.contacts().size(); ++k)
+      {
+        const auto summary = cell.contacts()[k]->summary(step.trial.contact[k]);
+        row.n_active += summary.n_active;
+        row.n_stick += summary.n_stick;
+        row.n_slip += summary.n_slip;
+        row.contact_energy += summary.energy;
+        row.friction_energy += summary.friction_energy;
+        row.dissipation += summary.dissipation;
+        row.largest_penetration =
+          std::max(row.largest_penetration, summary.largest_penetration);
+      }
+    row.stored_energy     = cell.bodies().stored_energy(state.u);
+    row.newton_iterations = step.report.newton.iterations;
+    row.newton_order      = step.report.newton.order();
+    row.cuts              = step.n_cuts;
+    return row;
+  }
+
+
+
+  void
+  PlateTestResults::end_stage(const PlateCell                     &cell,
+                              const LoadStage                     &stage,
+                              const State                         &state,
+                              const std::vector<dealii::Point<3>> &woven)
+  {
+    if (parameters_.output.picture)
+      write_picture(cell, stage, state, woven);
+    stages_done_ += 1;
+  }
+
+
+
+  void
+  PlateTestResults::write_fields(const PlateCell    &cell,
+                                 const AcceptedStep &step)
+  {
+    if (directory_.empty())
+      return;
+    TimerOutput::Scope timer(timer_, "Output");
+    const State       &state  = step.after;
+    const auto        &bodies = cell.bodies();
+    const double       time   = stages_done_ + state.load_factor;
+    std::ostringstream number;
+    number.width(4);
+    number.fill('0');
+    number << curve_.size();
+
+    const std::string bundles = "bundles-" + number.str() + ".vtu";
+    write_vtu(directory_ + "/" + bundles,
+              make_bundle_fields(
+                bodies.space(), bodies.laws(), bodies.gradients(), state.u));
+    bundle_files_.emplace_back(time, bundles);
+    write_pvd(directory_ + "/fields.pvd", bundle_files_);
+
+    for (unsigned int k = 0; k < cell.contacts().size(); ++k)
+      {
+        const std::string name =
+          "contact-" + std::to_string(k) + "-" + number.str() + ".vtu";
+        const ContactCandidates &pair = cell.fabric().contacts()[k];
+        write_vtu(directory_ + "/" + name,
+                  make_contact_fields(bodies.space(),
+                                      pair.secondary_bundle,
+                                      pair.direction,
+                                      pair.secondary_side,
+                                      *cell.contacts()[k],
+                                      step.trial.contact[k],
+                                      state.u));
+        contact_files_.emplace_back(time, name);
+      }
+    write_pvd(directory_ + "/contact.pvd", contact_files_);
+  }
+
+
+
+  void
+  PlateTestResults::write_picture(const PlateCell                     &cell,
+                                  const LoadStage                     &stage,
+                                  const State                         &state,
+                                  const std::vector<dealii::Point<3>> &woven)
+  {
+    if (directory_.empty())
+      return;
+    TimerOutput::Scope timer(timer_, "Output");
+    const IGASpace<3> &space = cell.bodies().space();
+    PictureState       picture;
+    for (unsigned int A = 0; A < space.n_control_points(); ++A)
+      picture.positions.push_back(
+        space.control_points()[A] +
+        Tensor<1, 3>({state.u[3 * A], state.u[3 * A + 1], state.u[3 * A + 2]}));
+    for (const PointState &point : states_at_control_points(
+           space, cell.bodies().laws(), cell.bodies().gradients(), state.u))
+      picture.values.push_back(point.von_mises);
+    picture.woven = woven;
+    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+      picture.H[n] = state.u[cell.macro().mode(n)];
+
+    std::ostringstream title;
+    title << "Stage " << stage.name << ", load factor " << state.load_factor;
+    for (const auto &[n, target] : stage.H_targets)
+      title << ", H" << n + 1 << " = " << picture.H[n]
+            << (n < 3 ? "" : " 1/mm");
+    for (const auto &[n, target] : stage.n_targets)
+      title << ", n" << n + 1 << " = " << state.applied[n]
+            << (n < 3 ? " N/mm" : " N");
+    std::string name = "cell_" + stage.name;
+    for (char &c : name)
+      if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')
+        c = '_';
+
+    // A picture is not worth a run, so even a full disk does not end it here.
+    try
+      {
+        write_cell_picture(directory_,
+                           name,
+                           title.str(),
+                           "von Mises stress [MPa]",
+                           make_picture_surfaces(cell.fabric(),
+                                                 space,
+                                                 picture));
+        cell_scripts_.push_back(name + ".gp");
+      }
+    catch (const dealii::ExceptionBase &failure) // of replace_file()
+      {
+        log_.warning(std::string("The cell is not drawn: ") + failure.what());
+      }
+  }
+
+
+
+  void
+  PlateTestResults::draw_cells()
+  {
+    if (cell_scripts_.empty())
+      return;
+    TimerOutput::Scope timer(timer_, "Output");
+    const std::string  warning = run_gnuplot(directory_, cell_scripts_);
+    if (!warning.empty())
+      log_.warning(warning);
+    cell_scripts_.clear();
+  }
+
+
+
+  void
+  PlateTestResults::finish(const PlateCell    &cell,
+                           const LinearSolver &linear_solver,
+                           ConstrainedSystem  &system)
+  {
+    log_.finish();
+    if (const auto loop = last_loop(curve_, cell.fabric().area()))
+      {
+        log_.line(describe(*loop));
+        if (!directory_.empty())
+          write_hysteresis(directory_ + "/hysteresis.csv", *loop);
+      }
+    warn_of_penetration();
+    if (directory_.empty())
+      return;
+    draw_cells();
+    if (parameters_.output.picture)
+      {
+        TimerOutput::Scope timer(timer_, "Output");
+        const std::string  warning = plot_curves(directory_);
+        if (!warning.empty())
+          log_.warning(warning);
+      }
+    log_.line("Factorizations: " + std::to_string(linear_solver.n_numeric()) +
+              " (" + std::to_string(linear_solver.n_symbolic()) +
+              " new patterns), " + std::to_string(system.n_free()) +
+              " free unknowns, " +
+              std::to_string(system.free_matrix().n_nonzeros()) + " nonzeros");
+    timer_.print_summary();
+  }
+
+
+
+  void
+  PlateTestResults::warn_of_penetration()
+  {
+    // Up to about here results are off by some percent; deeper they describe
+    // another fabric, and nothing in the curves shows it.
+    const double much      = 0.05;
+    const double thickness = parameters_.cell.bundle_thickness.smaller();
+    const auto   deepest =
+      std::max_element(curve_.begin(),
+                       curve_.end(),
+                       [](const CurveRow &a, const CurveRow &b) {
+                         return a.largest_penetration < b.largest_penetration;
+                       });
+    if (deepest == curve_.end() ||
+        deepest->largest_penetration <= much * thickness)
+      return;
+    log_.warning(
+      "The bundles penetrate each other by " +
+      short_number(deepest->largest_penetration, 2) + " mm, " +
+      short_number(100. * deepest->largest_penetration / thickness, 2) +
+      " % of their thickness (stage " + deepest->stage + ", load factor " +
+      short_number(deepest->load_factor, 3) +
+      "). What to try: a larger Normal penalty, Enforcement = augmented "
+      "Lagrangian (subsection Contact), or, if it begins with the first "
+      "contact, a shorter Initial step of the weaving stage.");
+  }
+} // namespace NPT
