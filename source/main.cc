@@ -4,6 +4,7 @@
 
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/one_process.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/linear_algebra/blas_kernels.h>
@@ -105,6 +106,9 @@ namespace
     const std::string   problem =
       get_entry(text, command.overrides, "Problem").value_or("plate test");
 
+    // Several processes are for the cases of a study only.
+    if (problem != "parameter study")
+      refuse_several_processes(problem);
     if (command.action == CommandLine::Action::geometry &&
         problem != "plate test")
       throw InputError("--geometry-only shows the cell of a plate test, but "

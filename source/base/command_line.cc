@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reading the command line; every mistake ends in one sentence.
+// Defines reading the command line; every mistake ends in one sentence.
 
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
@@ -60,6 +60,117 @@ namespace NPT
       if (text.find_first_not_of(blanks, equal + 1) == std::string::npos)
         fail(where + "the value is missing, " + form);
     }
+
+
+
+    /// Takes the arguments one after the other. Boost.Program_options does the
+    /// same with shorter messages; its library need not be there where deal.II
+    /// is (Debian's libdeal.ii-dev does not depend on it).
+    class ArgumentReader
+    {
+    public:
+      explicit ArgumentReader(const std::vector<std::string> &arguments)
+        : arguments_(arguments)
+      {}
+
+      CommandLine
+      read()
+      {
+        for (next_ = 0; next_ < arguments_.size();)
+          {
+            const std::string &argument = arguments_[next_++];
+            if (argument.empty())
+              fail("an argument is empty; a shell variable may not be set");
+            if (argument[0] != '-')
+              set_file(argument);
+            else
+              read_option(argument);
+          }
+        if (result_.parameter_file.empty() &&
+            result_.action != CommandLine::Action::print_defaults)
+          fail("the parameter file is missing, write npt_dealii FILE.prm");
+        return result_;
+      }
+
+    private:
+      void
+      set_file(const std::string &argument)
+      {
+        if (!result_.parameter_file.empty())
+          fail("two parameter files, '" + result_.parameter_file + "' and '" +
+               argument +
+               "'; one run reads one file, and a value with blanks needs "
+               "quotes");
+        result_.parameter_file = argument;
+      }
+
+      void
+      read_option(const std::string &argument)
+      {
+        const std::string option = argument.substr(0, argument.find('='));
+        if (option == "--output")
+          set_output(value_of_option(argument));
+        else if (option == "--set")
+          {
+            const std::string value = value_of_option(argument);
+            if (value.empty())
+              fail("--set needs an entry and a value, write --set "
+                   "'Subsection/Entry=value'");
+            check_override(value);
+            result_.overrides.push_back(value);
+          }
+        else
+          set_action(option, argument);
+      }
+
+      /// The value is behind '=' or in the next argument; a next argument that
+      /// is an option itself means that the value was forgotten.
+      std::string
+      value_of_option(const std::string &argument)
+      {
+        const std::string::size_type equal = argument.find('=');
+        if (equal != std::string::npos)
+          return argument.substr(equal + 1);
+        if (next_ < arguments_.size() &&
+            arguments_[next_].compare(0, 2, "--") != 0)
+          return arguments_[next_++];
+        return "";
+      }
+
+      void
+      set_output(const std::string &directory)
+      {
+        if (directory.empty())
+          fail("--output needs the name of a directory");
+        if (!result_.output_directory.empty())
+          fail("--output is given twice, '" + result_.output_directory +
+               "' and '" + directory + "'");
+        result_.output_directory = directory;
+      }
+
+      void
+      set_action(const std::string &option, const std::string &argument)
+      {
+        for (const auto &[name, action] : actions)
+          if (option == name)
+            {
+              if (option != argument)
+                fail(name + " takes no value, found '" + argument + "'");
+              if (!action_option_.empty() && action_option_ != name)
+                fail(action_option_ + " and " + name +
+                     " exclude each other; choose one");
+              action_option_ = name;
+              result_.action = action;
+              return;
+            }
+        fail(unknown_option(option));
+      }
+
+      const std::vector<std::string> &arguments_;
+      std::size_t                     next_ = 0;
+      std::string                     action_option_;
+      CommandLine                     result_;
+    };
   } // namespace
 
 
@@ -70,7 +181,6 @@ namespace NPT
     const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0),
                                              argv + argc);
     CommandLine                    result;
-
     for (const std::string &argument : arguments)
       if (argument == "--help" || argument == "-h")
         {
@@ -83,80 +193,7 @@ namespace NPT
           result.action = CommandLine::Action::version;
           return result;
         }
-
-    std::string action_option;
-    bool        has_output = false;
-    for (std::size_t i = 0; i < arguments.size(); ++i)
-      {
-        const std::string &argument = arguments[i];
-        if (argument.empty())
-          fail("an argument is empty; a shell variable may not be set");
-        if (argument[0] != '-')
-          {
-            if (!result.parameter_file.empty())
-              fail("two parameter files, '" + result.parameter_file +
-                   "' and '" + argument +
-                   "'; one run reads one file, and a value with blanks needs "
-                   "quotes");
-            result.parameter_file = argument;
-            continue;
-          }
-
-        const std::string::size_type equal  = argument.find('=');
-        const std::string            option = argument.substr(0, equal);
-        if (option == "--output" || option == "--set")
-          {
-            // The value is behind '=' or in the next argument; a next argument
-            // that is an option itself means that the value was forgotten.
-            std::string value;
-            if (equal != std::string::npos)
-              value = argument.substr(equal + 1);
-            else if (i + 1 < arguments.size() &&
-                     arguments[i + 1].compare(0, 2, "--") != 0)
-              value = arguments[++i];
-
-            if (value.empty())
-              fail(option == "--output" ?
-                     "--output needs the name of a directory" :
-                     "--set needs an entry and a value, write --set "
-                     "'Subsection/Entry=value'");
-            if (option == "--set")
-              {
-                check_override(value);
-                result.overrides.push_back(value);
-              }
-            else
-              {
-                if (has_output)
-                  fail("--output is given twice, '" + result.output_directory +
-                       "' and '" + value + "'");
-                has_output              = true;
-                result.output_directory = value;
-              }
-            continue;
-          }
-
-        bool is_action = false;
-        for (const auto &[name, action] : actions)
-          if (option == name)
-            {
-              if (equal != std::string::npos)
-                fail(name + " takes no value, found '" + argument + "'");
-              if (!action_option.empty() && action_option != name)
-                fail(action_option + " and " + name +
-                     " exclude each other; choose one");
-              action_option = name;
-              result.action = action;
-              is_action     = true;
-            }
-        if (!is_action)
-          fail(unknown_option(option));
-      }
-
-    if (result.parameter_file.empty() &&
-        result.action != CommandLine::Action::print_defaults)
-      fail("the parameter file is missing, write npt_dealii FILE.prm");
-    return result;
+    return ArgumentReader(arguments).read();
   }
 
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Patterns in words, and values that may have been meant.
+// Defines patterns in words, and values that may have been meant. The words of
+// deal.II (PatternBase::description(Text)) are not enough for a sentence: of a
+// number > 0 they say "2.22507e-308 <= v <= MAX_DOUBLE".
 
 #include <npt_dealii/base/describe_pattern.h>
 #include <npt_dealii/base/message_words.h>
@@ -31,17 +33,16 @@ namespace NPT
         text.replace(pos, old_part.size(), new_part);
     }
 
-    /// The names in "[Selection a|b ]" and "[MultipleSelection a|b ]".
+    /// The names in "[Selection a|b ]".
     std::vector<std::string>
     choices_of(const std::string &pattern)
     {
       if (pattern == "[Bool]")
         return {"true", "false"};
-      for (const std::string start : {"[Selection ", "[MultipleSelection "})
-        if (pattern.compare(0, start.size(), start) == 0)
-          return dealii::Utilities::split_string_list(
-            pattern.substr(start.size(), pattern.size() - start.size() - 1),
-            '|');
+      const std::string start = "[Selection ";
+      if (pattern.compare(0, start.size(), start) == 0)
+        return dealii::Utilities::split_string_list(
+          pattern.substr(start.size(), pattern.size() - start.size() - 1), '|');
       return {};
     }
 
@@ -172,9 +173,6 @@ namespace NPT
       return "true or false";
     if (begins_with("[Selection"))
       return "one of: " + joined(choices_of(description), ", ");
-    if (begins_with("[MultipleSelection"))
-      return "any of: " + joined(choices_of(description), ", ") +
-             " (separated by ',')";
     if (begins_with("[List"))
       {
         std::size_t       pos   = 0;
@@ -193,20 +191,6 @@ namespace NPT
                " (key: " + describe_pattern(key) +
                "; value: " + describe_pattern(value) + ")";
       }
-    if (begins_with("[Tuple"))
-      {
-        std::size_t        pos = 0;
-        const unsigned int n =
-          std::strtoul(text_in_angles(description, pos).c_str(), nullptr, 10);
-        std::vector<std::string> parts;
-        for (unsigned int i = 0; i < n; ++i)
-          parts.push_back(describe_pattern(text_in_angles(description, pos)));
-        return std::to_string(n) + " values separated by " +
-               separator_of(description, pos, ":") + " (" +
-               joined(parts, "; ") + ")";
-      }
-    if (begins_with("[FileName"))
-      return "the name of a file";
     if (begins_with("[DirectoryName"))
       return "the name of a directory";
     if (begins_with("[Anything"))

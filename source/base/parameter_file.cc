@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Statements against declarations, the sentences that tell a user what to
-// change, and the documented print-out.
+// Defines how statements are checked against declarations, the sentences that
+// tell a user what to change, and the documented print-out.
 
 #include <npt_dealii/base/declared_parameters.h>
 #include <npt_dealii/base/describe_pattern.h>
@@ -166,35 +166,57 @@ namespace NPT
 
     // ---- Values ------------------------------------------------------------
     // deal.II sets the value or refuses it. Its own test decides, because the
-    // description of a pattern has bounds rounded to six digits.
+    // description of a pattern has bounds rounded to six digits. What an entry
+    // finds wrong itself gets its place as well.
     void
     set_value(dealii::ParameterHandler &prm,
               const Path               &path,
               const DeclaredEntry      &entry,
-              const std::string        &pattern,
               const std::string        &value,
               const std::string        &where)
     {
       for (const std::string &subsection : path)
         prm.enter_subsection(subsection);
-      bool is_valid = true;
+      std::string message;
       try
         {
           prm.set(entry.name, value);
         }
       catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
         {
-          is_valid = false;
+          message = "entry " + in_quotes(entry.name) + in_subsection(path) +
+                    " is " + (value.empty() ? "empty" : in_quotes(value)) +
+                    "; it must be " + describe_pattern(entry.pattern) +
+                    suggestion_for_value(value, entry.pattern);
+        }
+      catch (const InputError &error)
+        {
+          message = error.what();
         }
       for (std::size_t i = 0; i < path.size(); ++i)
         prm.leave_subsection();
 
-      if (!is_valid)
-        throw InputError(where + "entry " + in_quotes(entry.name) +
-                         in_subsection(path) + " is " +
-                         (value.empty() ? "empty" : in_quotes(value)) +
-                         "; it must be " + describe_pattern(pattern) +
-                         suggestion_for_value(value, pattern));
+      if (!message.empty())
+        throw InputError(where + message);
+    }
+
+
+
+    /// An old name and its new one are the same entry.
+    const DeclaredEntry &
+    proper_entry(const DeclaredSection &section, const DeclaredEntry &entry)
+    {
+      const DeclaredEntry *proper =
+        entry.alias_of.empty() ? &entry : section.find_entry(entry.alias_of);
+      return proper == nullptr ? entry : *proper;
+    }
+
+    Path
+    path_of(const Path &section, const DeclaredEntry &entry)
+    {
+      Path path = section;
+      path.push_back(entry.name);
+      return path;
     }
 
 
@@ -223,34 +245,66 @@ namespace NPT
         result.components.push_back(trim(component));
       return result;
     }
-  } // namespace
 
-
-
-  void
-  parse_parameter_text(dealii::ParameterHandler       &prm,
-                       const ParameterText            &text,
-                       const std::vector<std::string> &overrides)
-  {
-    const DeclaredSection top = declared_parameters(prm);
-
-    // An old name and its new one are the same entry.
-    const auto proper_entry = [](const DeclaredSection &section,
-                                 const DeclaredEntry   &entry) {
-      const DeclaredEntry *proper =
-        entry.alias_of.empty() ? &entry : section.find_entry(entry.alias_of);
-      return proper == nullptr ? &entry : proper;
+    struct FoundEntry
+    {
+      Path                   path; ///< of its section
+      const DeclaredSection *section = nullptr;
+      const DeclaredEntry   *entry   = nullptr;
     };
 
-    // Where an entry was set: (file, path) -> line.
-    std::map<std::pair<std::string, Path>, unsigned int> lines_of_entries;
+    /// The entry that an override names; throws InputError beginning with
+    /// @p where if there is none.
+    FoundEntry
+    find_entry_of_override(const DeclaredSection &top,
+                           const Path            &components,
+                           const std::string     &where)
+    {
+      // Names with a slash are found by the joined path as well.
+      const std::string wanted = joined(components, "/");
+      FoundEntry        found;
+      Path              path;
+      visit_sections(top,
+                     path,
+                     [&](const Path &p, const DeclaredSection &section) {
+                       for (const DeclaredEntry &entry : section.entries)
+                         if (joined(path_of(p, entry), "/") == wanted)
+                           found = {p, &section, &entry};
+                     });
+      if (found.entry != nullptr)
+        return found;
 
-    Path                                 path;
-    std::vector<const DeclaredSection *> sections{&top};
-    for (const ParameterText::Statement &statement : text.statements)
+      const DeclaredSection *here = &top;
+      for (std::size_t i = 0; i + 1 < components.size(); ++i)
+        {
+          const DeclaredSection *next = here->find_subsection(components[i]);
+          if (next == nullptr)
+            throw InputError(
+              where + unknown_subsection(components[i], path, top, *here));
+          here = next;
+          path.push_back(components[i]);
+        }
+      throw InputError(where +
+                       unknown_entry(components.back(), path, top, *here));
+    }
+
+
+
+    /// Stores statements of files and overrides of the command line.
+    class ValueSetter
+    {
+    public:
+      explicit ValueSetter(dealii::ParameterHandler &prm)
+        : prm_(prm)
+        , top_(declared_parameters(prm))
+        , sections_{&top_}
+      {}
+
+      void
+      apply(const ParameterText::Statement &statement)
       {
         const std::string      where = at_line(statement.file, statement.line);
-        const DeclaredSection &here  = *sections.back();
+        const DeclaredSection &here  = *sections_.back();
         switch (statement.kind)
           {
             case Kind::subsection:
@@ -260,49 +314,27 @@ namespace NPT
                 if (section == nullptr)
                   throw InputError(
                     where +
-                    unknown_subsection(statement.name, path, top, here));
-                sections.push_back(section);
-                path.push_back(statement.name);
+                    unknown_subsection(statement.name, path_, top_, here));
+                sections_.push_back(section);
+                path_.push_back(statement.name);
                 break;
               }
             case Kind::end:
-              {
-                AssertThrow(!path.empty(), dealii::ExcInternalError());
-                sections.pop_back();
-                path.pop_back();
-                break;
-              }
+              AssertThrow(!path_.empty(), dealii::ExcInternalError());
+              sections_.pop_back();
+              path_.pop_back();
+              break;
             case Kind::set:
-              {
-                const DeclaredEntry *entry = here.find_entry(statement.name);
-                if (entry == nullptr)
-                  throw InputError(
-                    where + unknown_entry(statement.name, path, top, here));
-                entry = proper_entry(here, *entry);
-
-                Path full_path = path;
-                full_path.push_back(entry->name);
-                const auto [previous, is_new] = lines_of_entries.emplace(
-                  std::make_pair(statement.file, full_path), statement.line);
-                // The same line once more is a file included twice.
-                if (!is_new && previous->second != statement.line)
-                  throw InputError(where + "entry " + in_quotes(entry->name) +
-                                   in_subsection(path) +
-                                   " is already set in line " +
-                                   std::to_string(previous->second) +
-                                   " of this file; keep only one of the two");
-                set_value(
-                  prm, path, *entry, entry->pattern, statement.value, where);
-                break;
-              }
+              set(statement, where);
+              break;
           }
       }
 
-    std::map<Path, std::string> overrides_of_entries;
-    for (const std::string &override_text : overrides)
+      void
+      apply_override(const std::string &text)
       {
-        const std::string where = "--set " + in_quotes(override_text) + ": ";
-        const Override    split = split_override(override_text);
+        const std::string where = "--set " + in_quotes(text) + ": ";
+        const Override    split = split_override(text);
         if (!split.has_equal_sign)
           throw InputError(where +
                            "'=' is missing, write 'Subsection/Entry=value'");
@@ -314,62 +346,65 @@ namespace NPT
           throw InputError(where + "the value contains '#', which begins a "
                                    "comment in a parameter file");
 
-        // Names with a slash are found by the joined path as well.
-        const std::string      wanted        = joined(split.components, "/");
-        const DeclaredSection *section_found = nullptr;
-        const DeclaredEntry   *entry_found   = nullptr;
-        Path                   path_found;
-        path.clear();
-        visit_sections(top,
-                       path,
-                       [&](const Path &p, const DeclaredSection &section) {
-                         for (const DeclaredEntry &entry : section.entries)
-                           {
-                             Path full_path = p;
-                             full_path.push_back(entry.name);
-                             if (joined(full_path, "/") == wanted)
-                               {
-                                 section_found = &section;
-                                 entry_found   = &entry;
-                                 path_found    = p;
-                               }
-                           }
-                       });
-
-        if (entry_found == nullptr)
-          {
-            const DeclaredSection *here = &top;
-            for (std::size_t i = 0; i + 1 < split.components.size(); ++i)
-              {
-                const std::string     &name = split.components[i];
-                const DeclaredSection *next = here->find_subsection(name);
-                if (next == nullptr)
-                  throw InputError(where +
-                                   unknown_subsection(name, path, top, *here));
-                here = next;
-                path.push_back(name);
-              }
-            throw InputError(
-              where + unknown_entry(split.components.back(), path, top, *here));
-          }
-
-        entry_found    = proper_entry(*section_found, *entry_found);
-        Path full_path = path_found;
-        full_path.push_back(entry_found->name);
+        const FoundEntry found =
+          find_entry_of_override(top_, split.components, where);
+        const DeclaredEntry &entry = proper_entry(*found.section, *found.entry);
         const auto [previous, is_new] =
-          overrides_of_entries.emplace(full_path, override_text);
+          overrides_.emplace(path_of(found.path, entry), text);
         if (!is_new)
           throw InputError(
-            where + "entry " + in_quotes(entry_found->name) +
-            in_subsection(path_found) + " is already set by --set " +
+            where + "entry " + in_quotes(entry.name) +
+            in_subsection(found.path) + " is already set by --set " +
             in_quotes(previous->second) + "; keep only one of the two");
-        set_value(prm,
-                  path_found,
-                  *entry_found,
-                  entry_found->pattern,
-                  split.value,
-                  where);
+        set_value(prm_, found.path, entry, split.value, where);
       }
+
+    private:
+      void
+      set(const ParameterText::Statement &statement, const std::string &where)
+      {
+        const DeclaredSection &here  = *sections_.back();
+        const DeclaredEntry   *named = here.find_entry(statement.name);
+        if (named == nullptr)
+          throw InputError(where +
+                           unknown_entry(statement.name, path_, top_, here));
+        const DeclaredEntry &entry = proper_entry(here, *named);
+
+        const auto [previous, is_new] =
+          lines_.emplace(std::make_pair(statement.file, path_of(path_, entry)),
+                         statement.line);
+        // The same line once more is a file included twice.
+        if (!is_new && previous->second != statement.line)
+          throw InputError(where + "entry " + in_quotes(entry.name) +
+                           in_subsection(path_) + " is already set in line " +
+                           std::to_string(previous->second) +
+                           " of this file; keep only one of the two");
+        set_value(prm_, path_, entry, statement.value, where);
+      }
+
+      dealii::ParameterHandler            &prm_;
+      const DeclaredSection                top_;
+      Path                                 path_; ///< of the present subsection
+      std::vector<const DeclaredSection *> sections_;
+
+      /// Where an entry was set: (file, path) -> line.
+      std::map<std::pair<std::string, Path>, unsigned int> lines_;
+      std::map<Path, std::string>                          overrides_;
+    };
+  } // namespace
+
+
+
+  void
+  parse_parameter_text(dealii::ParameterHandler       &prm,
+                       const ParameterText            &text,
+                       const std::vector<std::string> &overrides)
+  {
+    ValueSetter setter(prm);
+    for (const ParameterText::Statement &statement : text.statements)
+      setter.apply(statement);
+    for (const std::string &override_text : overrides)
+      setter.apply_override(override_text);
   }
 
 
@@ -479,5 +514,15 @@ namespace NPT
                               std::ostream                   &out)
   {
     print_section(declared_parameters(prm), 0, out);
+  }
+
+
+
+  std::string
+  documented_parameters(const dealii::ParameterHandler &prm)
+  {
+    std::ostringstream out;
+    print_documented_parameters(prm, out);
+    return out.str();
   }
 } // namespace NPT

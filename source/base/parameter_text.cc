@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Parameter files to statements: lines, include files, balanced subsections.
+// Defines the way from parameter files to statements: lines, include
+// files, balanced subsections.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/message_words.h>
@@ -107,128 +108,162 @@ namespace NPT
              ", a line begins with set, subsection, end or include" + hint;
     }
 
-    // The rules below are those of ParameterHandler::parse_input() and
-    // scan_line() in deal.II 9.4.1, including the two surprising ones: a
-    // comment that ends in a backslash goes on in the next line, and blanks
-    // before a backslash stay. Other programs must read our files alike.
-    void
-    append_content(const std::string     &content,
-                   std::vector<OpenFile> &open_files,
-                   ParameterText         &text)
+    /**
+     * Reads the lines of one file into statements. deal.II's own reader sets
+     * values at once, so that it could not tell which entries to declare, and
+     * knows an include file by the folder that the program was started in.
+     *
+     * The rules are those of ParameterHandler::parse_input() and scan_line() in
+     * deal.II 9.4.1, including the two surprising ones: a comment that ends in
+     * a backslash goes on in the next line, and blanks before a backslash stay.
+     * Other programs must read our files alike.
+     */
+    class StatementReader
     {
-      const OpenFile this_file = open_files.back();
-      if (content.find('\0') != std::string::npos)
-        throw InputError("file " + in_quotes(this_file.name) +
-                         " is not plain text, save it in UTF-8 encoding");
+    public:
+      StatementReader(std::vector<OpenFile> &open_files, ParameterText &text)
+        : open_files_(open_files)
+        , file_(open_files.back().name)
+        , text_(text)
+      {}
 
-      struct Open
+      void
+      read(const std::string &content)
       {
-        std::string  name;
-        unsigned int line;
-      };
-      std::vector<Open> open_subsections;
+        if (content.find('\0') != std::string::npos)
+          throw InputError("file " + in_quotes(file_) +
+                           " is not plain text, save it in UTF-8 encoding");
 
-      const auto scan = [&](std::string line, const unsigned int line_number) {
-        const std::string where = at_line(this_file.name, line_number);
+        // Some editors begin a UTF-8 file with a mark that nobody sees.
+        const bool has_mark = content.compare(0, 3, "\xEF\xBB\xBF") == 0;
 
+        std::istringstream in(has_mark ? content.substr(3) : content);
+        std::string        physical_line, logical_line;
+        unsigned int       n_lines = 0, first_line = 0;
+        bool               continued = false;
+        while (std::getline(in, physical_line))
+          {
+            ++n_lines;
+            if (!continued)
+              first_line = n_lines;
+            physical_line = trim(physical_line);
+            continued = !physical_line.empty() && physical_line.back() == '\\';
+            if (continued)
+              physical_line.pop_back();
+            logical_line += physical_line;
+            if (!continued)
+              {
+                scan(logical_line, first_line);
+                logical_line.clear();
+              }
+          }
+        if (continued)
+          scan(logical_line, first_line);
+        check_all_closed(n_lines);
+      }
+
+    private:
+      // One line, those that go on in the next one joined.
+      void
+      scan(std::string line, const unsigned int line_number)
+      {
         line.erase(std::min(line.find('#'), line.size()));
         std::replace(line.begin(), line.end(), '\t', ' ');
         line = trim(line);
 
+        const std::string where = at_line(file_, line_number);
         if (line.empty())
           return;
         if (starts_with_keyword(line, "subsection ", "SUBSECTION "))
           {
             const std::string name = trim(line.substr(11));
-            open_subsections.push_back({name, line_number});
-            text.statements.push_back(
-              {Kind::subsection, name, "", this_file.name, line_number});
+            open_subsections_.push_back({name, line_number});
+            text_.statements.push_back(
+              {Kind::subsection, name, "", file_, line_number});
           }
         else if (line == "subsection" || line == "SUBSECTION")
           throw InputError(where + "'subsection' without a name");
         else if (line == "end" || line == "END")
-          {
-            if (open_subsections.empty())
-              throw InputError(where +
-                               "'end' without a 'subsection' to be closed; "
-                               "remove it or look for a missing 'subsection' "
-                               "line above");
-            open_subsections.pop_back();
-            text.statements.push_back(
-              {Kind::end, "", "", this_file.name, line_number});
-          }
+          close_subsection(where, line_number);
         else if (starts_with_keyword(line, "end ", "END "))
           throw InputError(where + "'end' must stand alone, found " +
                            in_quotes(line) + "; begin a comment with '#'");
         else if (starts_with_keyword(line, "set ", "SET ") || line == "set" ||
                  line == "SET")
-          {
-            const std::string            statement = line.substr(3);
-            const std::string::size_type equal     = statement.find('=');
-            if (equal == std::string::npos)
-              throw InputError(where + "'set' without '=' in the line " +
-                               in_quotes(line) + ", write 'set NAME = VALUE'");
-            const std::string name = trim(statement.substr(0, equal));
-            if (name.empty())
-              throw InputError(where +
-                               "'set' without the name of an entry in "
-                               "the line " +
-                               in_quotes(line) + ", write 'set NAME = VALUE'");
-            text.statements.push_back({Kind::set,
-                                       name,
-                                       trim(statement.substr(equal + 1)),
-                                       this_file.name,
-                                       line_number});
-          }
+          add_setting(where, line, line_number);
         else if (starts_with_keyword(line, "include ", "INCLUDE "))
           {
-            const fs::path folder = fs::path(this_file.name).parent_path();
+            const fs::path folder = fs::path(file_).parent_path();
             append_file(where,
                         (folder / trim(line.substr(8))).lexically_normal(),
-                        open_files,
-                        text);
+                        open_files_,
+                        text_);
           }
         else if (line == "include" || line == "INCLUDE")
           throw InputError(where + "'include' without the name of a file");
         else
           throw InputError(where + unrecognized_line(line) +
                            pasted_character_hint(line));
+      }
+
+      void
+      add_setting(const std::string &where,
+                  const std::string &line,
+                  const unsigned int line_number)
+      {
+        const std::string            statement = line.substr(3);
+        const std::string::size_type equal     = statement.find('=');
+        if (equal == std::string::npos)
+          throw InputError(where + "'set' without '=' in the line " +
+                           in_quotes(line) + ", write 'set NAME = VALUE'");
+        const std::string name = trim(statement.substr(0, equal));
+        if (name.empty())
+          throw InputError(where +
+                           "'set' without the name of an entry in the line " +
+                           in_quotes(line) + ", write 'set NAME = VALUE'");
+        text_.statements.push_back({Kind::set,
+                                    name,
+                                    trim(statement.substr(equal + 1)),
+                                    file_,
+                                    line_number});
+      }
+
+      void
+      close_subsection(const std::string &where, const unsigned int line_number)
+      {
+        if (open_subsections_.empty())
+          throw InputError(where +
+                           "'end' without a 'subsection' to be closed; "
+                           "remove it or look for a missing 'subsection' "
+                           "line above");
+        open_subsections_.pop_back();
+        text_.statements.push_back({Kind::end, "", "", file_, line_number});
+      }
+
+      void
+      check_all_closed(const unsigned int n_lines) const
+      {
+        if (open_subsections_.empty())
+          return;
+        const Open &last = open_subsections_.back();
+        throw InputError(at_line(file_, last.line) + "subsection " +
+                         in_quotes(last.name) + " opened in line " +
+                         std::to_string(last.line) +
+                         " is still open at the end of the file (line " +
+                         std::to_string(n_lines) + "), an 'end' is missing");
+      }
+
+      struct Open
+      {
+        std::string  name;
+        unsigned int line;
       };
 
-      // Some editors begin a UTF-8 file with a mark that nobody sees.
-      const bool has_mark = content.compare(0, 3, "\xEF\xBB\xBF") == 0;
-
-      std::istringstream in(has_mark ? content.substr(3) : content);
-      std::string        physical_line, logical_line;
-      unsigned int       n_lines = 0, first_line = 0;
-      bool               continued = false;
-      while (std::getline(in, physical_line))
-        {
-          ++n_lines;
-          if (!continued)
-            first_line = n_lines;
-          physical_line = trim(physical_line);
-          continued = !physical_line.empty() && physical_line.back() == '\\';
-          if (continued)
-            physical_line.pop_back();
-          logical_line += physical_line;
-          if (!continued)
-            {
-              scan(logical_line, first_line);
-              logical_line.clear();
-            }
-        }
-      if (continued)
-        scan(logical_line, first_line);
-
-      if (!open_subsections.empty())
-        throw InputError(
-          at_line(this_file.name, open_subsections.back().line) +
-          "subsection " + in_quotes(open_subsections.back().name) +
-          " opened in line " + std::to_string(open_subsections.back().line) +
-          " is still open at the end of the file (line " +
-          std::to_string(n_lines) + "), an 'end' is missing");
-    }
+      std::vector<OpenFile> &open_files_;
+      const std::string      file_;
+      ParameterText         &text_;
+      std::vector<Open>      open_subsections_;
+    };
 
     void
     append_file(const std::string     &where,
@@ -255,7 +290,7 @@ namespace NPT
         }
 
       open_files.push_back(file);
-      append_content(content, open_files, text);
+      StatementReader(open_files, text).read(content);
       open_files.pop_back();
     }
   } // namespace
@@ -281,7 +316,7 @@ namespace NPT
     ParameterText         text;
     std::vector<OpenFile> open_files{
       {filename, fs::weakly_canonical(filename)}};
-    append_content(content, open_files, text);
+    StatementReader(open_files, text).read(content);
     return text;
   }
 } // namespace NPT

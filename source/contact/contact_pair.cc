@@ -26,7 +26,7 @@ namespace NPT
       return {secondary,
               primaries,
               points,
-              contact.method == "mortar" ?
+              contact.method == ContactParameters::Method::mortar ?
                 Averaging::mortar<dim>(secondary.surface(), points) :
                 Averaging::pointwise<dim>(points),
               maximum_penetration};
@@ -45,7 +45,7 @@ namespace NPT
     const SymmetryWeight                   &symmetry_weight)
     : geometry_(
         make_geometry(secondary, primaries, contact, maximum_penetration))
-    , nodes_are_points_(contact.method != "mortar")
+    , nodes_are_points_(contact.method != ContactParameters::Method::mortar)
     , augmented_(contact.augmented())
     , normal_law_(
         Registry<NamedNormalLaw>::instance().get("penalty").make(contact))

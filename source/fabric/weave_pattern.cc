@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Over/under tables.
+// Defines the over/under tables of weaves and their symmetries.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/message_words.h>
+#include <npt_dealii/fabric/named_weave.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 
 namespace NPT
 {
   WeavePattern::WeavePattern(const std::string &description)
   {
-    std::string table = description;
-    if (description == "plain")
-      table = "ou/uo";
-    else if (description == "2/2 twill")
-      table = "oouu/uoou/uuoo/ouuo";
-    else if (description == "5-harness satin")
-      table = "ouuuu/uuouu/uuuuo/uouuu/uuuou";
+    const auto       &weaves = Registry<NamedWeave>::instance();
+    const std::string table  = weaves.contains(description) ?
+                                 weaves.get(description).table :
+                                 description;
 
     n_warp_ = n_weft_   = 0;
     unsigned int in_row = 0;
@@ -39,10 +38,12 @@ namespace NPT
           in_row = 0;
         }
       else if (c != ' ')
-        throw InputError("Weave is '" + description +
-                         "'; it must be plain, 2/2 twill, 5-harness satin or "
-                         "a table of the letters o and u with rows separated "
-                         "by '/', such as ou/uo (subsection Cell).");
+        throw InputError("Weave is '" + description + "'; it must be " +
+                         joined(weaves.names(), ", ") +
+                         " or a table of the letters o and u with rows "
+                         "separated by '/', such as ou/uo" +
+                         did_you_mean(description, weaves.names()) +
+                         " (subsection Cell).");
 
     // A bundle that never changes sides is not woven in: it would fall out.
     for (unsigned int i = 0; i < n_warp_; ++i)

@@ -3,12 +3,8 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/homogenization/orbit_constraints.h>
+#include <npt_dealii/homogenization/point_finder.h>
 #include <npt_dealii/homogenization/solid_couplings.h>
-
-#include <deal.II/numerics/rtree.h>
-
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
 
 #include <algorithm>
 #include <map>
@@ -18,48 +14,9 @@ namespace NPT
 {
   using dealii::Point;
   using dealii::Tensor;
-  namespace bgi = boost::geometry::index;
 
   namespace
   {
-    using BPoint =
-      boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-    using Entry = std::pair<BPoint, unsigned int>;
-
-    // Finds control points by reference position.
-    class PointFinder
-    {
-    public:
-      PointFinder(const std::vector<Point<3>> &points, const double tolerance)
-        : tolerance_(tolerance)
-      {
-        std::vector<Entry> entries;
-        for (unsigned int A = 0; A < points.size(); ++A)
-          entries.emplace_back(BPoint(points[A][0], points[A][1], points[A][2]),
-                               A);
-        tree_ =
-          bgi::rtree<Entry, bgi::rstar<16>>(entries.begin(), entries.end());
-      }
-
-      int
-      find(const Point<3> &P) const
-      {
-        const double       d = tolerance_;
-        std::vector<Entry> found;
-        tree_.query(bgi::intersects(boost::geometry::model::box<BPoint>(
-                      BPoint(P[0] - d, P[1] - d, P[2] - d),
-                      BPoint(P[0] + d, P[1] + d, P[2] + d))),
-                    std::back_inserter(found));
-        return found.empty() ? -1 : static_cast<int>(found[0].second);
-      }
-
-    private:
-      const double                      tolerance_;
-      bgi::rtree<Entry, bgi::rstar<16>> tree_;
-    };
-
-
-
     // Control points of the patch faces that no other patch shares.
     std::vector<std::vector<unsigned int>>
     outer_faces(const IGASpace<3> &space)
@@ -84,49 +41,42 @@ namespace NPT
           faces.push_back(face);
       return faces;
     }
-  } // namespace
 
 
 
-  dealii::AffineConstraints<double>
-  make_solid_couplings(const IGASpace<3>                 &space,
-                       const SolidMacroUnknowns          &macro,
-                       const std::array<Tensor<1, 3>, 3> &periods,
-                       const int                          uniform_direction)
-  {
-    using Affine = OrbitConstraints::Affine;
-    OrbitConstraints orbits(macro.first, SolidMacroUnknowns::n_macro);
-    const auto      &points = space.control_points();
-    const double     size =
-      std::min({periods[0].norm(), periods[1].norm(), periods[2].norm()});
-    const PointFinder finder(points, 1e-7 * size);
+    class SolidCouplings
+    {
+    public:
+      using Affine = OrbitConstraints::Affine;
 
-    const auto relate = [&](const unsigned int B, const unsigned int A) {
-      const Tensor<1, 3> L = points[B] - points[A];
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          Affine affine(SolidMacroUnknowns::n_macro, 0.);
-          for (unsigned int J = 0; J < 3; ++J)
-            affine[3 * i + J] = L[J];
-          orbits.relate(3 * B + i, 1., 3 * A + i, affine, "periodicity");
-        }
-    };
+      SolidCouplings(const IGASpace<3>                 &space,
+                     const SolidMacroUnknowns          &macro,
+                     const std::array<Tensor<1, 3>, 3> &periods)
+        : points_(space.control_points())
+        , periods_(periods)
+        , finder_(numbered(points_),
+                  1e-7 * std::min({periods[0].norm(),
+                                   periods[1].norm(),
+                                   periods[2].norm()}))
+        , orbits_(macro.first, SolidMacroUnknowns::n_macro)
+      {}
 
-    // Outer faces and their partners, over all neighboring cells.
-    for (const std::vector<unsigned int> &face : outer_faces(space))
+      // Relate a face to its partners, over all neighboring cells.
+      void
+      relate_to_opposite(const std::vector<unsigned int> &face)
       {
         bool has_partner = false;
         for (int n = 0; n < 27; ++n)
           {
             if (n == 13)
               continue; // the cell itself
-            const Tensor<1, 3> L = (n % 3 - 1.) * periods[0] +
-                                   (n / 3 % 3 - 1.) * periods[1] +
-                                   (n / 9 - 1.) * periods[2];
+            const Tensor<1, 3> L = (n % 3 - 1.) * periods_[0] +
+                                   (n / 3 % 3 - 1.) * periods_[1] +
+                                   (n / 9 - 1.) * periods_[2];
             std::vector<unsigned int> partners;
             for (const unsigned int A : face)
               {
-                const int B = finder.find(points[A] + L);
+                const int B = finder_.find(points_[A] + L);
                 if (B < 0)
                   break;
                 partners.push_back(B);
@@ -138,29 +88,21 @@ namespace NPT
               relate(partners[k], face[k]);
           }
         if (!has_partner)
-          {
-            Point<3> center;
-            for (const unsigned int A : face)
-              center += points[A] / static_cast<double>(face.size());
-            throw InputError(
-              "The cell is not periodic: its boundary face about (" +
-              std::to_string(center[0]) + ", " + std::to_string(center[1]) +
-              ", " + std::to_string(center[2]) +
-              ") mm has no opposite face with the same control points.");
-          }
+          throw_no_partner(face);
       }
 
-    if (uniform_direction >= 0)
+      // Every control point follows the one of the first layer below it.
+      void
+      make_uniform(const unsigned int direction)
       {
-        // Every control point follows the one of the first layer below it.
-        const Tensor<1, 3> e =
-          periods[uniform_direction] / periods[uniform_direction].norm();
-        double lowest = e * points[0];
-        for (const Point<3> &P : points)
+        const Tensor<1, 3> e = periods_[direction] / periods_[direction].norm();
+        double             lowest = e * points_[0];
+        for (const Point<3> &P : points_)
           lowest = std::min(lowest, e * P);
-        for (unsigned int A = 0; A < points.size(); ++A)
+        for (unsigned int A = 0; A < points_.size(); ++A)
           {
-            const int B = finder.find(points[A] - (e * points[A] - lowest) * e);
+            const int B =
+              finder_.find(points_[A] - (e * points_[A] - lowest) * e);
             AssertThrow(B >= 0,
                         dealii::ExcMessage(
                           "A uniform direction needs control points in "
@@ -169,14 +111,81 @@ namespace NPT
           }
       }
 
-    // The held point: w = -w.
-    for (unsigned int i = 0; i < 3; ++i)
-      orbits.relate(
-        i, -1., i, Affine(SolidMacroUnknowns::n_macro, 0.), "held point");
+      // w = -w of one point.
+      void
+      hold_point()
+      {
+        for (unsigned int i = 0; i < 3; ++i)
+          orbits_.relate(
+            i, -1., i, Affine(SolidMacroUnknowns::n_macro, 0.), "held point");
+      }
 
-    dealii::AffineConstraints<double> constraints;
-    orbits.write(constraints);
-    constraints.close();
-    return constraints;
+      dealii::AffineConstraints<double>
+      constraints() const
+      {
+        dealii::AffineConstraints<double> result;
+        orbits_.write(result);
+        result.close();
+        return result;
+      }
+
+    private:
+      static std::vector<PointFinder::Entry>
+      numbered(const std::vector<Point<3>> &points)
+      {
+        std::vector<PointFinder::Entry> entries;
+        for (unsigned int A = 0; A < points.size(); ++A)
+          entries.emplace_back(points[A], A);
+        return entries;
+      }
+
+      void
+      relate(const unsigned int B, const unsigned int A)
+      {
+        const Tensor<1, 3> L = points_[B] - points_[A];
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            Affine affine(SolidMacroUnknowns::n_macro, 0.);
+            for (unsigned int J = 0; J < 3; ++J)
+              affine[3 * i + J] = L[J];
+            orbits_.relate(3 * B + i, 1., 3 * A + i, affine, "periodicity");
+          }
+      }
+
+      [[noreturn]] void
+      throw_no_partner(const std::vector<unsigned int> &face) const
+      {
+        Point<3> center;
+        for (const unsigned int A : face)
+          center += points_[A] / static_cast<double>(face.size());
+        throw InputError(
+          "The cell is not periodic: its boundary face about (" +
+          std::to_string(center[0]) + ", " + std::to_string(center[1]) + ", " +
+          std::to_string(center[2]) +
+          ") mm has no opposite face with the same control points.");
+      }
+
+      const std::vector<Point<3>>       &points_;
+      const std::array<Tensor<1, 3>, 3> &periods_;
+      const PointFinder                  finder_;
+      OrbitConstraints                   orbits_;
+    };
+  } // namespace
+
+
+
+  dealii::AffineConstraints<double>
+  make_solid_couplings(const IGASpace<3>                 &space,
+                       const SolidMacroUnknowns          &macro,
+                       const std::array<Tensor<1, 3>, 3> &periods,
+                       const int                          uniform_direction)
+  {
+    SolidCouplings couplings(space, macro, periods);
+    for (const std::vector<unsigned int> &face : outer_faces(space))
+      couplings.relate_to_opposite(face);
+    if (uniform_direction >= 0)
+      couplings.make_uniform(uniform_direction);
+    couplings.hold_point();
+    return couplings.constraints();
   }
 } // namespace NPT

@@ -27,17 +27,14 @@ namespace NPT
   using dealii::Point;
   namespace bgi = boost::geometry::index;
 
-  Basis
-  basis_from_name(const std::string &name)
+  template <>
+  const EnumNames<Basis> &
+  enum_names<Basis>()
   {
-    if (name == "NURBS")
-      return Basis::NURBS;
-    if (name == "Bernstein")
-      return Basis::Bernstein;
-    if (name == "Lagrange")
-      return Basis::Lagrange;
-    throw InputError("Basis is '" + name +
-                     "'; it must be NURBS, Bernstein or Lagrange.");
+    static const EnumNames<Basis> names = {{Basis::NURBS, "NURBS"},
+                                           {Basis::Bernstein, "Bernstein"},
+                                           {Basis::Lagrange, "Lagrange"}};
+    return names;
   }
 
 

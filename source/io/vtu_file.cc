@@ -24,7 +24,6 @@ namespace NPT
 
   namespace
   {
-    constexpr std::uint8_t vtk_vertex               = 1;
     constexpr std::uint8_t vtk_bezier_quadrilateral = 77;
     constexpr std::uint8_t vtk_bezier_hexahedron    = 79;
 
@@ -130,11 +129,6 @@ namespace NPT
       return "Float64";
     }
     const char *
-    type_name(float)
-    {
-      return "Float32";
-    }
-    const char *
     type_name(std::int64_t)
     {
       return "Int64";
@@ -227,7 +221,7 @@ namespace NPT
     write_fields(std::ostream                   &out,
                  const std::vector<BezierField> &fields,
                  const std::size_t               n,
-                 const VtuOptions               &options)
+                 const Encoding                  encoding)
     {
       (void)n;
       for (const BezierField &field : fields)
@@ -239,19 +233,8 @@ namespace NPT
                             std::to_string(field.n_components) +
                             " components; 1, 3, 6 or 9 are possible."));
           AssertDimension(field.values.size(), n * field.n_components);
-          if (options.single_precision)
-            write_array(out,
-                        field.name,
-                        field.n_components,
-                        std::vector<float>(field.values.begin(),
-                                           field.values.end()),
-                        options.encoding);
-          else
-            write_array(out,
-                        field.name,
-                        field.n_components,
-                        field.values,
-                        options.encoding);
+          write_array(
+            out, field.name, field.n_components, field.values, encoding);
         }
     }
 
@@ -261,8 +244,8 @@ namespace NPT
       std::vector<std::uint8_t> types;
     };
 
-    // The frame common to cells and clouds; the two callables write the
-    // complete PointData and CellData elements.
+    // The frame of the file; the two callables write the complete PointData and
+    // CellData elements.
     template <typename WritePointData, typename WriteCellData>
     void
     write_unstructured_grid(const std::string         &filename,
@@ -352,7 +335,7 @@ namespace NPT
   void
   write_vtu(const std::string &filename,
             const BezierMesh  &mesh,
-            const VtuOptions  &options)
+            const Encoding     encoding)
   {
     const std::size_t n_points = mesh.weights.size();
     const std::size_t n_cells  = mesh.degrees.size();
@@ -382,49 +365,19 @@ namespace NPT
       filename,
       mesh.points,
       cells,
-      options.encoding,
+      encoding,
       [&](std::ostream &out) {
         out << "      <PointData RationalWeights=\"RationalWeights\">\n";
-        write_array(out, "RationalWeights", 1, mesh.weights, options.encoding);
-        write_fields(out, mesh.point_data, n_points, options);
+        write_array(out, "RationalWeights", 1, mesh.weights, encoding);
+        write_fields(out, mesh.point_data, n_points, encoding);
         out << "      </PointData>\n";
       },
       [&](std::ostream &out) {
         out << "      <CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n";
-        write_array(out, "HigherOrderDegrees", 3, degrees, options.encoding);
-        write_fields(out, mesh.cell_data, n_cells, options);
+        write_array(out, "HigherOrderDegrees", 3, degrees, encoding);
+        write_fields(out, mesh.cell_data, n_cells, encoding);
         out << "      </CellData>\n";
       });
-  }
-
-
-
-  void
-  write_vtu(const std::string &filename,
-            const PointCloud  &cloud,
-            const VtuOptions  &options)
-  {
-    AssertDimension(cloud.points.size() % 3, 0);
-    const std::size_t n_points = cloud.points.size() / 3;
-
-    Cells cells;
-    for (std::size_t i = 0; i < n_points; ++i)
-      {
-        cells.connectivity.push_back(i);
-        cells.offsets.push_back(i + 1);
-        cells.types.push_back(vtk_vertex);
-      }
-    write_unstructured_grid(
-      filename,
-      cloud.points,
-      cells,
-      options.encoding,
-      [&](std::ostream &out) {
-        out << "      <PointData>\n";
-        write_fields(out, cloud.fields, n_points, options);
-        out << "      </PointData>\n";
-      },
-      [](std::ostream &out) { out << "      <CellData/>\n"; });
   }
 
 

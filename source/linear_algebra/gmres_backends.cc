@@ -72,7 +72,7 @@ namespace NPT
         if (!(relative <= parameters.tolerance))
           {
             std::ostringstream detail;
-            detail << "GMRES with " << parameters.type
+            detail << "GMRES with " << name_of(parameters.type)
                    << " reached a relative residual of " << relative
                    << " instead of " << parameters.tolerance << " after "
                    << n_iterations << " of at most "

@@ -2,6 +2,7 @@
 // What all solvers share: when to set up anew, refinement, singular matrices.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
 #include <npt_dealii/linear_algebra/linear_solver_backend.h>
 
@@ -86,44 +87,44 @@ namespace NPT
 
 
 
-  void
-  LinearSolverParameters::declare_parameters(dealii::ParameterHandler &prm)
+  template <>
+  const EnumNames<LinearSolverParameters::Type> &
+  enum_names<LinearSolverParameters::Type>()
   {
-    prm.enter_subsection("Linear solver");
-    {
-      prm.declare_entry(
-        "Type",
-        "MUMPS",
-        dealii::Patterns::Selection("MUMPS|UMFPACK|ILU|ML"),
-        "Direct: MUMPS, UMFPACK. Iterative: GMRES with an incomplete "
-        "factorization (ILU) or smoothed aggregation (ML); of the two ILU is "
-        "the better one with contact.");
-      prm.declare_entry("Tolerance",
-                        "1e-10",
-                        dealii::Patterns::Double(1e-15, 1e-1),
-                        "ILU, ML: residual over right-hand side at which the "
-                        "iteration stops [-]. Direct solvers ignore it.");
-      prm.declare_entry("Maximum iterations",
-                        "500",
-                        dealii::Patterns::Integer(1, 100000),
-                        "ILU, ML: GMRES iterations after which the load step "
-                        "counts as failed [-].");
-    }
-    prm.leave_subsection();
+    using Type                         = LinearSolverParameters::Type;
+    static const EnumNames<Type> names = {{Type::MUMPS, "MUMPS"},
+                                          {Type::UMFPACK, "UMFPACK"},
+                                          {Type::ILU, "ILU"},
+                                          {Type::ML, "ML"}};
+    return names;
   }
 
 
 
   void
-  LinearSolverParameters::parse_parameters(dealii::ParameterHandler &prm)
+  LinearSolverParameters::add_parameters(dealii::ParameterHandler &prm)
   {
-    prm.enter_subsection("Linear solver");
-    {
-      type           = prm.get("Type");
-      tolerance      = prm.get_double("Tolerance");
-      max_iterations = prm.get_integer("Maximum iterations");
-    }
-    prm.leave_subsection();
+    namespace Patterns = dealii::Patterns;
+    const ParameterSubsection subsection(prm, "Linear solver");
+    add_parameter(
+      prm,
+      "Type",
+      type,
+      "Direct: MUMPS, UMFPACK. Iterative: GMRES with an incomplete "
+      "factorization (ILU) or smoothed aggregation (ML); of the two ILU is "
+      "the better one with contact.");
+    add_parameter(prm,
+                  "Tolerance",
+                  tolerance,
+                  "ILU, ML: residual over right-hand side at which the "
+                  "iteration stops [-]. Direct solvers ignore it.",
+                  Patterns::Double(1e-15, 1e-1));
+    add_parameter(prm,
+                  "Maximum iterations",
+                  max_iterations,
+                  "ILU, ML: GMRES iterations after which the load step "
+                  "counts as failed [-].",
+                  Patterns::Integer(1, 100000));
   }
 
 
@@ -131,18 +132,23 @@ namespace NPT
   LinearSolver::LinearSolver(const LinearSolverParameters &given)
     : parameters(given)
   {
-    if (parameters.type == "MUMPS")
-      backend = make_mumps_backend();
-    else if (parameters.type == "UMFPACK")
-      backend = make_umfpack_backend();
-    else if (parameters.type == "ILU")
-      backend = make_ilu_backend(parameters);
-    else if (parameters.type == "ML")
-      backend = make_ml_backend(parameters);
-    else
-      throw InputError("Type is " + parameters.type +
-                       "; it must be MUMPS, UMFPACK, ILU or ML (subsection "
-                       "Linear solver).");
+    using Type = LinearSolverParameters::Type;
+    switch (parameters.type)
+      {
+        case Type::MUMPS:
+          backend = make_mumps_backend();
+          break;
+        case Type::UMFPACK:
+          backend = make_umfpack_backend();
+          break;
+        case Type::ILU:
+          backend = make_ilu_backend(parameters);
+          break;
+        case Type::ML:
+          backend = make_ml_backend(parameters);
+          break;
+      }
+    AssertThrow(backend, dealii::ExcInternalError());
   }
 
 
@@ -173,7 +179,8 @@ namespace NPT
         if (!(factor < singular_amplification))
           {
             std::ostringstream detail;
-            detail << parameters.type << ": the matrix of size " << A.n()
+            detail << name_of(parameters.type) << ": the matrix of size "
+                   << A.n()
                    << " is singular to working precision (condition at least "
                    << factor << "); unknown " << unknown << " moves most."
                    << singular_hint;
@@ -196,13 +203,13 @@ namespace NPT
     const double start = now();
 
     if (!is_finite(rhs))
-      throw LinearSolverFailed(parameters.type +
+      throw LinearSolverFailed(name_of(parameters.type) +
                                ": the right-hand side is not finite.");
     x.reinit(n_unknowns);
     backend->solve(rhs, x);
     ++n_solves_;
     if (!is_finite(x))
-      throw LinearSolverFailed(parameters.type +
+      throw LinearSolverFailed(name_of(parameters.type) +
                                ": the solution is not finite." + singular_hint);
 
     Vector<double> residual(n_unknowns);
@@ -236,7 +243,7 @@ namespace NPT
     if (backend->is_direct && !(relative_residual_ <= unusable_residual))
       {
         std::ostringstream detail;
-        detail << parameters.type
+        detail << name_of(parameters.type)
                << ": the solution leaves a relative residual of "
                << relative_residual_
                << "; the matrix is singular to working precision."

@@ -2,6 +2,7 @@
 // Defines the Newton loop: criteria, line search, detection of cycles.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/load_step/newton.h>
 
 #include <algorithm>
@@ -42,63 +43,48 @@ namespace NPT
 
 
   void
-  NewtonParameters::declare_parameters(dealii::ParameterHandler &prm)
+  NewtonParameters::add_parameters(dealii::ParameterHandler &prm)
   {
-    using namespace dealii;
-    prm.enter_subsection("Newton");
-    {
-      prm.declare_entry("Relative tolerance",
-                        "1e-7",
-                        Patterns::Double(1e-14, 1),
-                        "Residual norm over the norm of the internal forces "
-                        "before they cancel, at which Newton has converged "
-                        "[-].");
-      prm.declare_entry("Absolute tolerance",
-                        "1e-10",
-                        Patterns::Double(0),
-                        "Residual norm that always counts as converged [N]: "
-                        "the floor for states in which all forces vanish.");
-      prm.declare_entry("Maximum iterations",
-                        "25",
-                        Patterns::Integer(1, 1000),
-                        "Corrections after which the load step counts as "
-                        "failed [-].");
-      prm.declare_entry("Line search",
-                        "true",
-                        Patterns::Bool(),
-                        "Halve corrections that raise the residual, invert a "
-                        "cell or lose a projection.");
-      prm.declare_entry("Maximum halvings",
-                        "8",
-                        Patterns::Integer(0, 50),
-                        "Halvings of one correction before the load step "
-                        "counts as failed [-].");
-      prm.declare_entry("Non-monotone memory",
-                        "3",
-                        Patterns::Integer(1, 100),
-                        "A correction is accepted if the residual falls below "
-                        "the largest of this many last ones [-]. 1: it has to "
-                        "fall every time, which stalls at first contact and at "
-                        "changes between stick and slip.");
-    }
-    prm.leave_subsection();
-  }
-
-
-
-  void
-  NewtonParameters::parse_parameters(dealii::ParameterHandler &prm)
-  {
-    prm.enter_subsection("Newton");
-    {
-      relative_tolerance = prm.get_double("Relative tolerance");
-      absolute_tolerance = prm.get_double("Absolute tolerance");
-      max_iterations     = prm.get_integer("Maximum iterations");
-      line_search        = prm.get_bool("Line search");
-      max_halvings       = prm.get_integer("Maximum halvings");
-      nonmonotone_memory = prm.get_integer("Non-monotone memory");
-    }
-    prm.leave_subsection();
+    namespace Patterns = dealii::Patterns;
+    const ParameterSubsection subsection(prm, "Newton");
+    add_parameter(prm,
+                  "Relative tolerance",
+                  relative_tolerance,
+                  "Residual norm over the norm of the internal forces "
+                  "before they cancel, at which Newton has converged "
+                  "[-].",
+                  Patterns::Double(1e-14, 1));
+    add_parameter(prm,
+                  "Absolute tolerance",
+                  absolute_tolerance,
+                  "Residual norm that always counts as converged [N]: "
+                  "the floor for states in which all forces vanish.",
+                  Patterns::Double(0));
+    add_parameter(prm,
+                  "Maximum iterations",
+                  max_iterations,
+                  "Corrections after which the load step counts as "
+                  "failed [-].",
+                  Patterns::Integer(1, 1000));
+    add_parameter(prm,
+                  "Line search",
+                  line_search,
+                  "Halve corrections that raise the residual, invert a "
+                  "cell or lose a projection.");
+    add_parameter(prm,
+                  "Maximum halvings",
+                  max_halvings,
+                  "Halvings of one correction before the load step "
+                  "counts as failed [-].",
+                  Patterns::Integer(0, 50));
+    add_parameter(prm,
+                  "Non-monotone memory",
+                  nonmonotone_memory,
+                  "A correction is accepted if the residual falls below "
+                  "the largest of this many last ones [-]. 1: it has to "
+                  "fall every time, which stalls at first contact and at "
+                  "changes between stick and slip.",
+                  Patterns::Integer(1, 100));
   }
 
 

@@ -2,6 +2,7 @@
 // Defines the load factor of a stage: the next trial, growth, cuts, giving up.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/load_step/step_control.h>
 
@@ -21,42 +22,40 @@ namespace NPT
 
 
   void
-  StepParameters::declare_parameters(dealii::ParameterHandler &prm) const
+  StepParameters::add_parameters(dealii::ParameterHandler &prm)
   {
-    using namespace dealii;
-    prm.declare_entry("Initial step",
-                      short_number(initial_step),
-                      Patterns::Double(1e-6, 1),
-                      "First load step, as a fraction of the stage [-]. "
-                      "Rounded down to 1/n.");
-    prm.declare_entry("Minimum step",
-                      short_number(minimum_step),
-                      Patterns::Double(1e-9, 1),
-                      "The stage is given up when a step would have to be "
-                      "smaller than this fraction of it [-].");
-    prm.declare_entry("Maximum step",
-                      short_number(maximum_step),
-                      Patterns::Double(1e-6, 1),
-                      "Longest load step, as a fraction of the stage [-]. "
-                      "Steps grow by doubling.");
-    prm.declare_entry("Target iterations",
-                      std::to_string(target_iterations),
-                      Patterns::Integer(1, 1000),
-                      "The step may grow after a step of at most this many "
-                      "Newton iterations [-].");
+    namespace Patterns = dealii::Patterns;
+    add_parameter(prm,
+                  "Initial step",
+                  initial_step,
+                  "First load step, as a fraction of the stage [-]. "
+                  "Rounded down to 1/n.",
+                  Patterns::Double(1e-6, 1));
+    add_parameter(prm,
+                  "Minimum step",
+                  minimum_step,
+                  "The stage is given up when a step would have to be "
+                  "smaller than this fraction of it [-].",
+                  Patterns::Double(1e-9, 1));
+    add_parameter(prm,
+                  "Maximum step",
+                  maximum_step,
+                  "Longest load step, as a fraction of the stage [-]. "
+                  "Steps grow by doubling.",
+                  Patterns::Double(1e-6, 1));
+    add_parameter(prm,
+                  "Target iterations",
+                  target_iterations,
+                  "The step may grow after a step of at most this many "
+                  "Newton iterations [-].",
+                  Patterns::Integer(1, 1000));
   }
 
 
 
   void
-  StepParameters::parse_parameters(dealii::ParameterHandler &prm,
-                                   const std::string        &place)
+  StepParameters::check(const std::string &place) const
   {
-    initial_step      = prm.get_double("Initial step");
-    minimum_step      = prm.get_double("Minimum step");
-    maximum_step      = prm.get_double("Maximum step");
-    target_iterations = prm.get_integer("Target iterations");
-
     if (initial_step > maximum_step)
       throw InputError("Initial step is " + short_number(initial_step) +
                        "; it must not exceed the Maximum step " +

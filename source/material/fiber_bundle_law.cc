@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Defines the formulas of the fiber bundle law (50)-(53): energy, stress,
-// tangent and the small-strain constants.
+// tangent, the small-strain constants and the entries in a parameter file.
 
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/tensor_tools.h>
 #include <npt_dealii/material/fiber_bundle_law.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace NPT
 {
@@ -292,4 +295,101 @@ namespace NPT
 
   template class FiberBundleLaw<2>;
   template class FiberBundleLaw<3>;
+
+
+
+  std::unique_ptr<LawParameters>
+  FiberBundleParameters::clone() const
+  {
+    return std::make_unique<FiberBundleParameters>(*this);
+  }
+
+
+
+  void
+  FiberBundleParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    add_parameter(prm,
+                  "mu_iso",
+                  constants.mu,
+                  "Fiber bundle: shear modulus mu_iso across the fiber "
+                  "[MPa], Eq. (51).");
+    add_parameter(prm,
+                  "lambda_iso",
+                  constants.lambda,
+                  "Fiber bundle: Lame constant lambda_iso [MPa], Eq. (51).");
+    add_parameter(prm,
+                  "a_trn",
+                  constants.a,
+                  "Fiber bundle: a_trn [MPa], Eq. (52). The shear modulus "
+                  "along the fiber is mu_iso - a_trn.");
+    add_parameter(prm,
+                  "b_trn",
+                  constants.b,
+                  "Fiber bundle: b_trn [MPa], Eq. (52), couples volume "
+                  "change and fiber stretch.");
+    add_parameter(prm,
+                  "c_trn",
+                  constants.c,
+                  "Fiber bundle: c_trn [MPa], Eq. (52), stiffness along "
+                  "the fiber.");
+    add_parameter(prm,
+                  "d_trn",
+                  constants.d,
+                  "Fiber bundle: d_trn [MPa], Eq. (52). Table 1 prints it "
+                  "with the opposite sign, with which the bundle is not "
+                  "stable at rest.");
+  }
+
+
+
+  void
+  FiberBundleParameters::check(const std::string &subsection) const
+  {
+    const auto lowest = constants.lowest_stiffness_eigenvalue();
+    if (lowest.value > 0.)
+      return;
+
+    std::ostringstream text;
+    text << "The small-strain stiffness of the fiber bundle must be positive "
+         << "definite, but its lowest eigenvalue, the one of " << lowest.mode
+         << ", is " << lowest.value << " MPa; change mu_iso, lambda_iso, "
+         << "a_trn, b_trn, c_trn or d_trn (subsection " << subsection << ")";
+
+    FiberBundleConstants reversed = constants;
+    reversed.d                    = -constants.d;
+    if (reversed.lowest_stiffness_eigenvalue().value > 0.)
+      text << ": with d_trn = " << reversed.d
+           << " it is positive definite, and the sign of d_trn printed in "
+           << "Table 1 is a misprint";
+    throw InputError(text.str() + ".");
+  }
+
+
+
+  std::unique_ptr<HyperelasticLaw<2>>
+  FiberBundleParameters::make_law(
+    const dealii::Tensor<1, 2> &fiber_direction) const
+  {
+    return std::make_unique<FiberBundleLaw<2>>(constants, fiber_direction);
+  }
+
+
+
+  std::unique_ptr<HyperelasticLaw<3>>
+  FiberBundleParameters::make_law(
+    const dealii::Tensor<1, 3> &fiber_direction) const
+  {
+    return std::make_unique<FiberBundleLaw<3>>(constants, fiber_direction);
+  }
+
+
+
+  namespace
+  {
+    const Registry<RegisteredLaw>::Registration fiber_bundle(
+      "fiber bundle",
+      {"the transversely isotropic fiber bundle, Eqs. (50)-(53)",
+       []() { return std::make_unique<FiberBundleParameters>(); }});
+  } // namespace
 } // namespace NPT

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines the formulas of the compressible neo-Hookean law (51).
+// Defines the formulas of the compressible neo-Hookean law (51) and its entries
+// in a parameter file.
 
+#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/tensor_tools.h>
 #include <npt_dealii/material/neo_hookean.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace NPT
 {
@@ -133,4 +136,92 @@ namespace NPT
 
   template class NeoHookean<2>;
   template class NeoHookean<3>;
+
+
+
+  template <>
+  const EnumNames<VolumetricEnergy> &
+  enum_names<VolumetricEnergy>()
+  {
+    static const EnumNames<VolumetricEnergy> names = {
+      {VolumetricEnergy::logarithm, "logarithm"},
+      {VolumetricEnergy::ciarlet, "Ciarlet"}};
+    return names;
+  }
+
+
+
+  std::unique_ptr<LawParameters>
+  NeoHookeanParameters::clone() const
+  {
+    return std::make_unique<NeoHookeanParameters>(*this);
+  }
+
+
+
+  void
+  NeoHookeanParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    add_parameter(prm,
+                  "Young modulus",
+                  young_modulus,
+                  "neo-Hookean: Young's modulus E > 0 [MPa] at small "
+                  "strain, mu = E/(2 (1 + nu)) in Eq. (51).");
+    add_parameter(prm,
+                  "Poisson ratio",
+                  poisson_ratio,
+                  "neo-Hookean: Poisson's ratio -1 < nu < 0.5 [-] at small "
+                  "strain, lambda = E nu/((1 + nu)(1 - 2 nu)) in "
+                  "Eq. (51).");
+    add_parameter(prm,
+                  "Volumetric energy",
+                  volumetric_energy,
+                  "neo-Hookean: lambda/2 (ln J)^2 of Eq. (51), or "
+                  "lambda/4 (J^2 - 1 - 2 ln J) of Ciarlet, which other "
+                  "programs have too. They differ in the third order of "
+                  "the strain.");
+  }
+
+
+
+  void
+  NeoHookeanParameters::check(const std::string &subsection) const
+  {
+    std::ostringstream text;
+    if (!(young_modulus > 0.))
+      text << "Young modulus is " << young_modulus
+           << " MPa; it must be > 0 (subsection " << subsection << ").";
+    else if (!(poisson_ratio > -1. && poisson_ratio < 0.5))
+      text << "Poisson ratio is " << poisson_ratio
+           << "; it must be > -1 and < 0.5, both exclusive (subsection "
+           << subsection << ").";
+    if (!text.str().empty())
+      throw InputError(text.str());
+  }
+
+
+
+  std::unique_ptr<HyperelasticLaw<2>>
+  NeoHookeanParameters::make_law(const dealii::Tensor<1, 2> &) const
+  {
+    return std::make_unique<NeoHookean<2>>(constants());
+  }
+
+
+
+  std::unique_ptr<HyperelasticLaw<3>>
+  NeoHookeanParameters::make_law(const dealii::Tensor<1, 3> &) const
+  {
+    return std::make_unique<NeoHookean<3>>(constants());
+  }
+
+
+
+  namespace
+  {
+    const Registry<RegisteredLaw>::Registration
+      neo_hookean("neo-Hookean",
+                  {"the isotropic neo-Hookean law, Eq. (51)",
+                   []() { return std::make_unique<NeoHookeanParameters>(); }});
+  } // namespace
 } // namespace NPT

@@ -578,7 +578,6 @@ TEST_CASE("Patterns of deal.II are put into words", "[base]")
   CHECK(words(Integer(1)) == "an integer >= 1");
   CHECK(words(Bool()) == "true or false");
   CHECK(words(Selection("mortar | KTS")) == "one of: mortar, KTS");
-  CHECK(words(MultipleSelection("a|b")) == "any of: a, b (separated by ',')");
   CHECK(words(List(Double())) ==
         "any number of values separated by ',', each a number");
   CHECK(words(List(List(Integer(0, 3), 1, 2), 0, 5, ";")) ==
@@ -589,9 +588,6 @@ TEST_CASE("Patterns of deal.II are put into words", "[base]")
   CHECK(words(Map(Anything(), Double(0))) ==
         "pairs 'key:value' separated by ',' (key: any text; value: a number "
         ">= 0)");
-  CHECK(words(Patterns::Tuple(";", Double(), Integer(1))) ==
-        "2 values separated by ';' (a number; an integer >= 1)");
-  CHECK(words(FileName()) == "the name of a file");
   CHECK(words(DirectoryName()) == "the name of a directory");
   CHECK(describe_pattern("[New thing]") == "[New thing]");
 }

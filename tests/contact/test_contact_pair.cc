@@ -21,7 +21,7 @@ namespace
   contact_parameters(const std::string &method)
   {
     ContactParameters parameters;
-    parameters.method = method;
+    parameters.method = value_of<ContactParameters::Method>(method);
     return parameters;
   }
 

@@ -246,10 +246,8 @@ TEST_CASE("Contact and friction entries read back what the file says",
   dealii::ParameterHandler prm;
   ContactParameters        contact;
   FrictionParameters       friction;
-  contact.declare_parameters(prm);
-  friction.declare_parameters(prm);
-  contact.parse_parameters(prm);
-  friction.parse_parameters(prm);
+  contact.add_parameters(prm);
+  friction.add_parameters(prm);
   // Defaults of file and struct agree.
   CHECK(contact.method == ContactParameters().method);
   CHECK(contact.normal_penalty == ContactParameters().normal_penalty);
@@ -262,9 +260,7 @@ TEST_CASE("Contact and friction entries read back what the file says",
                               " set Normal penalty = 7\nend\n"
                               "subsection Friction\n"
                               " set Friction coefficient = 0.1\nend\n");
-  contact.parse_parameters(prm);
-  friction.parse_parameters(prm);
-  CHECK(contact.method == "KTS");
+  CHECK(contact.method == ContactParameters::Method::KTS);
   CHECK(contact.normal_penalty == 7.);
   CHECK(friction.coefficient == 0.1);
   CHECK_THROWS(prm.parse_input_from_string(

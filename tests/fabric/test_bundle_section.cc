@@ -3,6 +3,10 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/fabric/bundle_section.h>
+#include <npt_dealii/fabric/cell_parameters.h>
+#include <npt_dealii/fabric/named_weave.h>
+#include <npt_dealii/fabric/section_shape.h>
+#include <npt_dealii/fabric/weave_pattern.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -15,12 +19,10 @@ using dealii::Point;
 
 namespace
 {
-  using Shape = BundleSection::Shape;
-
   BundleSection
-  section_of(const Shape shape)
+  section_of(const std::string &shape)
   {
-    return {shape, 3.1, 0.9, 0.2, 1.5};
+    return {shape, 3.1, 0.9, 0.2};
   }
 
   /// Area of a patch and its smallest Jacobian over the Gauss points and the
@@ -79,8 +81,7 @@ TEST_CASE("Lens, ellipse and rounded rectangle are exact for any degree and "
           "mesh",
           "[cell]")
 {
-  for (const Shape shape :
-       {Shape::lens, Shape::ellipse, Shape::rounded_rectangle})
+  for (const std::string shape : {"lens", "ellipse", "rounded rectangle"})
     for (const unsigned int degree : {2, 3})
       for (const unsigned int n : {3, 8})
         {
@@ -101,7 +102,7 @@ TEST_CASE("The power ellipse converges with the order of its splines, and is "
           "lens and ellipse for n = 2 and n = 1",
           "[cell]")
 {
-  BundleSection section = section_of(Shape::power_ellipse);
+  BundleSection section = section_of("power ellipse");
   for (const unsigned int degree : {2, 3})
     {
       const double coarse = largest_error(section, section.patch(degree, 32));
@@ -112,14 +113,14 @@ TEST_CASE("The power ellipse converges with the order of its splines, and is "
     }
   for (const double y : {0., 0.4, 1.2, 1.55})
     {
-      section.power = 2.;
+      section.numbers["Section power"] = 2.;
       CHECK(section.half_height(y) ==
-            Approx(section_of(Shape::lens).half_height(y)));
-      section.power = 1.;
+            Approx(section_of("lens").half_height(y)));
+      section.numbers["Section power"] = 1.;
       CHECK(section.half_height(y) ==
-            Approx(section_of(Shape::ellipse).half_height(y)));
+            Approx(section_of("ellipse").half_height(y)));
     }
-  CHECK(section_of(Shape::lens).half_height(1.55) == Approx(0.2));
+  CHECK(section_of("lens").half_height(1.55) == Approx(0.2));
 }
 
 
@@ -127,10 +128,8 @@ TEST_CASE("The power ellipse converges with the order of its splines, and is "
 TEST_CASE("No section has degenerate cells, and spans are equally wide",
           "[cell]")
 {
-  for (const Shape shape : {Shape::lens,
-                            Shape::ellipse,
-                            Shape::power_ellipse,
-                            Shape::rounded_rectangle})
+  for (const std::string shape :
+       {"lens", "ellipse", "power ellipse", "rounded rectangle"})
     {
       const BundleSection section = section_of(shape);
       const NURBSPatch<2> patch   = section.patch(2, 7);
@@ -138,7 +137,7 @@ TEST_CASE("No section has degenerate cells, and spans are equally wide",
       // Against the mean of dy/du times the height.
       CHECK(smallest > 0.1 * area);
       CHECK(section.edge_angle() < 75.);
-      if (shape == Shape::rounded_rectangle)
+      if (shape == "rounded rectangle")
         continue;
       const auto &breaks = patch.knot_vector(0).breaks();
       for (unsigned int e = 0; e < 7; ++e)
@@ -152,7 +151,7 @@ TEST_CASE("No section has degenerate cells, and spans are equally wide",
 
 TEST_CASE("A rounded rectangle is C1 where its arcs meet the flat", "[cell]")
 {
-  const NURBSPatch<2> patch  = section_of(Shape::rounded_rectangle).patch(2, 3);
+  const NURBSPatch<2> patch  = section_of("rounded rectangle").patch(2, 3);
   const auto         &breaks = patch.knot_vector(0).breaks();
   const double        u = breaks[1], d = 1e-6;
   for (unsigned int i = 0; i < 2; ++i)
@@ -163,4 +162,65 @@ TEST_CASE("A rounded rectangle is C1 where its arcs meet the flat", "[cell]")
       CHECK((value(u + d) - value(u)) / d ==
             Approx((value(u) - value(u - d)) / d).margin(1e-4));
     }
+}
+
+
+
+namespace
+{
+  // A section and a weave of which no other file knows: a bar with a height of
+  // its own, and the 3/1 twill.
+  NURBSPatch<2>
+  bar_patch(const BundleSection &section,
+            const unsigned int   degree,
+            const unsigned int   n_across)
+  {
+    const double  a     = 0.5 * section.width;
+    const double  h     = section.number("Bar height") * section.thickness;
+    NURBSPatch<2> patch = SectionTools::between_faces(KnotVector::uniform(2, 1),
+                                                      {-a, 0., a},
+                                                      {h, h, h},
+                                                      {1., 1., 1.});
+    patch.elevate_degree(0, degree - 2);
+    patch.subdivide(0, n_across);
+    return patch;
+  }
+
+  const Registry<SectionShape>::Registration
+    bar("bar",
+        {[](const BundleSection &section, const double) {
+           return section.number("Bar height") * section.thickness;
+         },
+         [](const BundleSection &section) {
+           return 2. * section.number("Bar height") * section.width *
+                  section.thickness;
+         },
+         [](const BundleSection &) { return 0.; },
+         bar_patch,
+         {{"Bar height",
+           0.5,
+           "Bar only: half height over thickness [-].",
+           std::make_shared<dealii::Patterns::Double>(0.1, 0.5)}}});
+
+  const Registry<NamedWeave>::Registration twill("3/1 twill",
+                                                 {"ooou/oouo/ouoo/uooo"});
+} // namespace
+
+TEST_CASE("A section and a weave that register themselves are read like the "
+          "others",
+          "[cell]")
+{
+  CellParameters           cell;
+  dealii::ParameterHandler prm;
+  cell.add_parameters(prm);
+  prm.parse_input_from_string("subsection Cell\nset Section = bar\n"
+                              "set Bar height = 0.4\n"
+                              "set Weave = 3/1 twill\nend\n");
+  cell.check();
+  const BundleSection section = cell.warp_section();
+  CHECK(section.area() == Approx(2 * 0.4 * 1.2 * 4.));
+  CHECK(largest_error(section, section.patch(3, 4)) < 1e-14);
+  CHECK(WeavePattern(cell.weave).n_warp() == 4);
+  CHECK_THROWS_WITH(WeavePattern("plane"),
+                    Catch::Contains("did you mean 'plain'"));
 }

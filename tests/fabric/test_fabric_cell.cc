@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Claims about the cell of the fabric: its bundles have the shape that the
-// parameters say, and its operations are symmetries of structure and modes.
+// parameters say, and its operations are symmetries of the structure.
 
 #include <npt_dealii/fabric/fabric_cell.h>
 #include <npt_dealii/iga/iga_values.h>
-
-#include <deal.II/base/symmetric_tensor.h>
 
 #include <catch2/catch.hpp>
 
@@ -14,7 +12,6 @@
 
 using namespace NPT;
 using dealii::Point;
-using dealii::SymmetricTensor;
 using dealii::Tensor;
 
 namespace
@@ -59,32 +56,6 @@ namespace
     for (const FiberBundle &bundle : cell.bundles())
       result.push_back(bundle.patch);
     return result;
-  }
-
-  /// Strain of the jump seen from the reference side, d(Y) = Q w_m(gY) -
-  /// w_m(Y), for one unit of H_n. w_m is quadratic, so central differences are
-  /// exact.
-  SymmetricTensor<2, 3>
-  strain_of_jump(const SymmetryOperation &g,
-                 const unsigned int       n,
-                 const Point<3>          &Y)
-  {
-    const auto jump = [&](const Point<3> &X) {
-      Tensor<1, 3> d = macroscopic_displacement(n, g(X));
-      for (unsigned int i = 0; i < 3; ++i)
-        d[i] *= g.Q[i];
-      return d - macroscopic_displacement(n, X);
-    };
-    Tensor<2, 3> gradient;
-    for (unsigned int j = 0; j < 3; ++j)
-      {
-        Tensor<1, 3> h;
-        h[j]                          = 0.5;
-        const Tensor<1, 3> derivative = jump(Y + h) - jump(Y - h);
-        for (unsigned int i = 0; i < 3; ++i)
-          gradient[i][j] = derivative[i];
-      }
-    return symmetrize(gradient);
   }
 } // namespace
 
@@ -268,64 +239,6 @@ TEST_CASE("Shifts of the table make the cell as small as the weave allows",
       if (n_bundles == 2)
         CHECK_FALSE(cell.has_floating_bundles());
     }
-  // The smallest type, by the modes of the load programme.
-  CellParameters parameters;
-  const auto smallest = [&](const std::string &weave, const unsigned int mode) {
-    parameters.weave = weave;
-    return FabricCell::smallest_type(parameters, {mode}).first;
-  };
-  CHECK(smallest("plain", 2) == "sub-unit cell");
-  CHECK(smallest("plain", 3) == "two-crossing cell");
-  CHECK(smallest("2/2 twill", 0) == "sub-unit cell");
-  CHECK(smallest("2/2 twill", 5) == "primitive cell");
-  CHECK(smallest("5-harness satin", 0) == "primitive cell");
-}
-
-
-
-TEST_CASE("A mode is kept exactly if its jump is a rigid motion", "[cell]")
-{
-  // The operations of the table in doc/theory.md; L = 3.7.
-  const double                         L          = 3.7;
-  const std::vector<SymmetryOperation> operations = {
-    {"glide along Y1", Tensor<1, 3>({1., 1., -1.}), Tensor<1, 3>({L, 0., 0.})},
-    {"glide along Y2", Tensor<1, 3>({1., 1., -1.}), Tensor<1, 3>({0., L, 0.})},
-    {"2-fold axis Y3", Tensor<1, 3>({-1., -1., 1.}), Tensor<1, 3>()},
-    {"2-fold axis Y2", Tensor<1, 3>({-1., 1., -1.}), Tensor<1, 3>({L, 0., 0.})},
-    {"screw along Y1", Tensor<1, 3>({1., -1., -1.}), Tensor<1, 3>({L, 0., 0.})},
-    {"translation", Tensor<1, 3>({1., 1., 1.}), Tensor<1, 3>({L, -L, 0.})}};
-  // H1 .. H6: kept or flipped.
-  const std::vector<std::string> table = {
-    "kkkfff", "kkkfff", "kkkkkk", "kkfffk", "kkfffk", "kkkkkk"};
-  const Point<3> Y(0.3, -0.8, 0.45);
-  for (unsigned int o = 0; o < operations.size(); ++o)
-    for (unsigned int n = 0; n < 6; ++n)
-      {
-        INFO(operations[o].name << ", H" << n + 1);
-        CHECK(operations[o].keeps_mode(n) == (table[o][n] == 'k'));
-        const double strain = strain_of_jump(operations[o], n, Y).norm();
-        if (table[o][n] == 'k')
-          CHECK(strain < 1e-13);
-        else
-          CHECK(strain > 0.1);
-      }
-}
-
-
-
-TEST_CASE("The sub-unit cell represents stretch and shear only", "[cell]")
-{
-  for (const bool two_fold_axis : {true, false})
-    {
-      CellParameters parameters;
-      parameters.two_fold_axis = two_fold_axis;
-      const FabricCell cell(parameters, small_mesh(2, 2));
-      for (unsigned int n = 0; n < 6; ++n)
-        {
-          CHECK(cell.represents_mode(n) == (n < 3));
-          CHECK(cell.obstacle(n) == (n < 3 ? "" : "glide plane along Y1"));
-        }
-    }
 }
 
 
@@ -371,33 +284,4 @@ TEST_CASE("Symmetry weights count every point of the cell once", "[cell]")
             }
           CHECK(weighted == Approx(volume).epsilon(1e-12));
         }
-}
-
-
-
-TEST_CASE("The macroscopic field has the gradients it is named after", "[cell]")
-{
-  // Strain of H_n at height Z3: stretches and engineering shear, bending
-  // strain Z3 H, torsion like shear; and no transverse shear.
-  const Point<3> Y(0.4, -0.7, 0.3);
-  for (unsigned int n = 0; n < 6; ++n)
-    {
-      SymmetricTensor<2, 3> strain;
-      for (unsigned int j = 0; j < 3; ++j)
-        {
-          Tensor<1, 3> h;
-          h[j]                      = 0.5;
-          const Tensor<1, 3> column = macroscopic_displacement(n, Y + h) -
-                                      macroscopic_displacement(n, Y - h);
-          for (unsigned int i = 0; i < 3; ++i)
-            strain[i][j] += (i == j ? 1. : 0.5) * column[i];
-        }
-      const double          factor = n < 3 ? 1. : Y[2];
-      SymmetricTensor<2, 3> expected;
-      if (n % 3 == 2)
-        expected[0][1] = 0.5 * factor;
-      else
-        expected[n % 3][n % 3] = factor;
-      CHECK((strain - expected).norm() < 1e-14);
-    }
 }

@@ -196,8 +196,8 @@ namespace
 TEST_CASE("A basis is found by its name only", "[iga]")
 {
   for (const Basis basis : all_bases)
-    CHECK(basis_from_name(name(basis)) == basis);
-  CHECK_THAT(input_error([]() { basis_from_name("nurbs"); }),
+    CHECK(value_of<Basis>(name(basis)) == basis);
+  CHECK_THAT(input_error([]() { value_of<Basis>("nurbs"); }),
              Contains("'nurbs'") && Contains("Lagrange"));
 }
 

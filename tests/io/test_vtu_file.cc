@@ -163,7 +163,7 @@ TEST_CASE("A quarter ring written as VTU and read back has its control points",
 {
   const NPT::BezierMesh mesh     = quarter_ring();
   const std::string     filename = temporary_file("ring_ascii.vtu");
-  NPT::write_vtu(filename, mesh, {NPT::Encoding::ascii, false});
+  NPT::write_vtu(filename, mesh, NPT::Encoding::ascii);
 
   const std::string file = file_content(filename);
   CHECK(file.find("version=\"2.2\"") != std::string::npos);
@@ -221,28 +221,11 @@ TEST_CASE("A surface in space becomes Bezier quadrilaterals", "[output]")
   mesh.weights.assign(10, 1.);
   mesh.points.assign(30, 0.);
   const std::string filename = temporary_file("surface.vtu");
-  NPT::write_vtu(filename, mesh, {NPT::Encoding::ascii, false});
+  NPT::write_vtu(filename, mesh, NPT::Encoding::ascii);
   const std::string file = file_content(filename);
   CHECK(array_values(file, "types") == std::vector<double>{77, 77});
   CHECK(array_values(file, "connectivity") ==
         std::vector<double>{0, 1, 3, 2, 4, 6, 9, 7, 5, 8});
-}
-
-
-TEST_CASE("A cloud without points is a valid file without points", "[output]")
-{
-  const std::string filename = temporary_file("no_contact.vtu");
-  NPT::PointCloud   cloud;
-  cloud.fields.push_back({"pressure", 1, {}});
-  NPT::write_vtu(filename, cloud);
-  CHECK(file_content(filename).find("NumberOfPoints=\"0\"") !=
-        std::string::npos);
-
-  cloud.points           = {0, 0, 1, 0, 1, 0};
-  cloud.fields[0].values = {2.5, 3.5};
-  NPT::write_vtu(filename, cloud, {NPT::Encoding::ascii, true});
-  CHECK(array_values(file_content(filename), "pressure") ==
-        std::vector<double>{2.5, 3.5});
 }
 
 

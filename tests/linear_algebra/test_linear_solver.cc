@@ -21,7 +21,7 @@ namespace
   type(const std::string &name)
   {
     LinearSolverParameters parameters;
-    parameters.type = name;
+    parameters.type = value_of<LinearSolverParameters::Type>(name);
     return parameters;
   }
 
@@ -216,16 +216,15 @@ TEST_CASE("Rigid-body modes halve the iterations of ML on a soft foundation",
 
 TEST_CASE("Linear solver parameters are read from their subsection", "[solver]")
 {
+  LinearSolverParameters   parameters;
   dealii::ParameterHandler prm;
-  LinearSolverParameters::declare_parameters(prm);
+  parameters.add_parameters(prm);
   prm.parse_input_from_string("subsection Linear solver\n"
                               "  set Type = ILU\n"
                               "  set Tolerance = 1e-8\n"
                               "end\n");
-  LinearSolverParameters parameters;
-  parameters.parse_parameters(prm);
-  CHECK(parameters.type == "ILU");
+  CHECK(parameters.type == LinearSolverParameters::Type::ILU);
   CHECK(parameters.tolerance == 1e-8);
   CHECK(parameters.max_iterations == 500);
-  CHECK_THROWS_AS(LinearSolver(type("KLU")), InputError);
+  CHECK_THROWS_AS(type("KLU"), InputError);
 }

@@ -265,14 +265,13 @@ TEST_CASE("Newton says why it gave up", "[solver]")
 
 TEST_CASE("Newton parameters are read from their subsection", "[solver]")
 {
+  NewtonParameters         parameters;
   dealii::ParameterHandler prm;
-  NewtonParameters::declare_parameters(prm);
+  parameters.add_parameters(prm);
   prm.parse_input_from_string("subsection Newton\n"
                               "  set Line search = false\n"
                               "  set Non-monotone memory = 1\n"
                               "end\n");
-  NewtonParameters parameters;
-  parameters.parse_parameters(prm);
   CHECK_FALSE(parameters.line_search);
   CHECK(parameters.nonmonotone_memory == 1);
   CHECK(parameters.relative_tolerance == 1e-7);

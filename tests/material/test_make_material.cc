@@ -19,14 +19,63 @@ namespace
   parse(const std::string &entries,
         const std::string &subsection = "Fiber bundle material")
   {
+    MaterialParameters       parameters;
     dealii::ParameterHandler prm;
-    MaterialParameters::declare_parameters(prm, subsection);
+    parameters.add_parameters(prm, subsection);
     prm.parse_input_from_string("subsection " + subsection + "\n" + entries +
                                 "\nend\n");
-    MaterialParameters parameters;
-    parameters.parse_parameters(prm, subsection);
+    parameters.check(subsection);
     return parameters;
   }
+
+  /// A law of which no other file knows: neo-Hookean with lambda = 0.
+  struct CorkParameters final : public LawParameters
+  {
+    double shear_modulus = 7.;
+
+    std::unique_ptr<LawParameters>
+    clone() const override
+    {
+      return std::make_unique<CorkParameters>(*this);
+    }
+
+    void
+    add_parameters(dealii::ParameterHandler &prm) override
+    {
+      add_parameter(prm,
+                    "Cork modulus",
+                    shear_modulus,
+                    "Cork: shear modulus [MPa].",
+                    positive_number());
+    }
+
+    void
+    check(const std::string &subsection) const override
+    {
+      if (shear_modulus > 1e3)
+        throw InputError("Cork modulus is too large (subsection " + subsection +
+                         ").");
+    }
+
+    std::unique_ptr<HyperelasticLaw<2>>
+    make_law(const dealii::Tensor<1, 2> &) const override
+    {
+      return std::make_unique<NeoHookean<2>>(
+        NeoHookeanConstants{shear_modulus, 0.});
+    }
+
+    std::unique_ptr<HyperelasticLaw<3>>
+    make_law(const dealii::Tensor<1, 3> &) const override
+    {
+      return std::make_unique<NeoHookean<3>>(
+        NeoHookeanConstants{shear_modulus, 0.});
+    }
+  };
+
+  const Registry<RegisteredLaw>::Registration
+    cork("cork", {"the law of cork", []() {
+                    return std::make_unique<CorkParameters>();
+                  }});
 } // namespace
 
 
@@ -182,4 +231,27 @@ TEST_CASE("Young's modulus and Poisson's ratio out of range are refused by "
   // Constants of the law that is not selected are not looked at.
   CHECK_NOTHROW(parse("set Poisson ratio = 0.5"));
   CHECK_NOTHROW(parse(isotropic + "set d_trn = -6.4613"));
+}
+
+
+
+TEST_CASE("A law that registers itself is read, checked and made like the "
+          "others",
+          "[material]")
+{
+  const auto law =
+    make_material<3>(parse("set Law = cork\nset Cork modulus = 3\n"),
+                     first_axis<3>());
+  // At rest the stiffness of shear is mu, and there is no contraction.
+  const auto C = law->small_strain_stiffness();
+  CHECK(C(3, 3) == Approx(3.));
+  CHECK(C(0, 1) == Approx(0.).margin(1e-14));
+  CHECK_THROWS_WITH(parse("set Law = cork\nset Cork modulus = 2000\n"),
+                    Catch::Contains("Cork modulus is too large"));
+
+  // It is offered where a law is chosen, and nothing stands in for a law that
+  // is not there.
+  MaterialParameters unknown("corck");
+  CHECK_THROWS_WITH(make_material<3>(unknown, first_axis<3>()),
+                    Catch::Contains("did you mean 'cork'"));
 }

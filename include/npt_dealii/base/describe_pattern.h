@@ -10,8 +10,8 @@ namespace NPT
 {
   /**
    * Put deal.II's description of a pattern into words that continue "it must
-   * be": "[Double 0...1 (inclusive)]" becomes "a number in [0, 1]". An unknown
-   * description is returned as it is.
+   * be": "[Double 0...1 (inclusive)]" becomes "a number in [0, 1]". Patterns
+   * that no entry of this program has are returned as they are.
    */
   std::string
   describe_pattern(const std::string &pattern_description);

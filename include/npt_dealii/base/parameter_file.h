@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reading .prm files with messages a user can act on: file and line, what was
-// found, what is allowed, and the nearest valid name.
+// Defines reading .prm files with messages a user can act on: file and line,
+// what was found, what is allowed, and the nearest valid name.
 
 #ifndef npt_dealii_base_parameter_file_h
 #define npt_dealii_base_parameter_file_h
@@ -68,6 +68,10 @@ namespace NPT
   void
   print_documented_parameters(const dealii::ParameterHandler &prm,
                               std::ostream                   &out);
+
+  /// The same as a text.
+  std::string
+  documented_parameters(const dealii::ParameterHandler &prm);
 } // namespace NPT
 
 #endif

@@ -4,6 +4,8 @@
 #ifndef npt_dealii_contact_contact_parameters_h
 #define npt_dealii_contact_contact_parameters_h
 
+#include <npt_dealii/base/parameter_binding.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
@@ -13,14 +15,25 @@ namespace NPT
   /// Subsection "Contact".
   struct ContactParameters
   {
-    std::string  method              = "mortar"; ///< mortar or KTS
-    double       normal_penalty      = 100.;     ///< epsilon_N [N/mm^3]
-    unsigned int n_quadrature_points = 0;        ///< 0: degree + 1
-    double       maximum_penetration = 0.5;      ///< fraction of thickness
-    double       edge_radius         = 0.25;     ///< fraction of thickness
-    double       kink_rounding       = 0.1;      ///< fraction of a span
-    /// "penalty" or "augmented Lagrangian"
-    std::string  enforcement           = "penalty";
+    enum class Method
+    {
+      mortar, ///< conditions averaged over the support of a control point
+      KTS     ///< knot to surface: conditions at Gauss points
+    };
+
+    enum class Enforcement
+    {
+      penalty,             ///< pressure = penalty times penetration
+      augmented_lagrangian ///< with multipliers, to given tolerances
+    };
+
+    Method       method                = Method::mortar;
+    double       normal_penalty        = 100.; ///< epsilon_N [N/mm^3]
+    unsigned int n_quadrature_points   = 0;    ///< 0: degree + 1
+    double       maximum_penetration   = 0.5;  ///< fraction of thickness
+    double       edge_radius           = 0.25; ///< fraction of thickness
+    double       kink_rounding         = 0.1;  ///< fraction of a span
+    Enforcement  enforcement           = Enforcement::penalty;
     double       penetration_tolerance = 2e-5; ///< augmented Lagrangian [mm]
     double       stick_tolerance       = 2e-5; ///< augmented Lagrangian [mm]
     unsigned int max_augmentations     = 50;
@@ -28,27 +41,37 @@ namespace NPT
     bool
     augmented() const
     {
-      return enforcement == "augmented Lagrangian";
+      return enforcement == Enforcement::augmented_lagrangian;
     }
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    /// Bind the members to the entries of the subsection.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
+
+  private:
+    void
+    add_enforcement_parameters(dealii::ParameterHandler &prm);
   };
+
+  template <>
+  const EnumNames<ContactParameters::Method> &
+  enum_names<ContactParameters::Method>();
+
+  template <>
+  const EnumNames<ContactParameters::Enforcement> &
+  enum_names<ContactParameters::Enforcement>();
 
   /// Subsection "Friction".
   struct FrictionParameters
   {
     double coefficient        = 0.3;  ///< mu [-]
     double tangential_penalty = 100.; ///< epsilon_T [N/mm^3]
-    /// "relative displacement" or "closest point", see ContactAssembler
+    /// A name of Registry<NamedSlipMeasure<3>>.
     std::string slip_measure = "relative displacement";
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    /// Bind the members to the entries of the subsection.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
   };
 } // namespace NPT
 

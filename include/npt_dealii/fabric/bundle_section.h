@@ -6,6 +6,7 @@
 
 #include <npt_dealii/iga/nurbs_patch.h>
 
+#include <map>
 #include <string>
 
 namespace NPT
@@ -15,8 +16,10 @@ namespace NPT
    * faces, top and bottom, are the surfaces that touch other bundles; they end
    * at blunt edges of half height e > 0, so that no cell degenerates.
    *
-   * Lens, ellipse and power ellipse are one family, the arch of semi-axis t/2
-   * cut off where its half height has fallen to e:
+   * The shape is one of those that register themselves; a new one is a pair of
+   * files like arch_sections.cc. Lens, ellipse and power ellipse are one
+   * family, the arch of semi-axis t/2 cut off where its half height has fallen
+   * to e:
    *
    * @f[ h(y) = \frac{t}{2} \left( 1 - (1 - \epsilon^{2/n})
    *       \left(\frac{2y}{w}\right)^2 \right)^{n/2}, \qquad
@@ -34,23 +37,18 @@ namespace NPT
    */
   struct BundleSection
   {
-    enum class Shape
-    {
-      lens,
-      ellipse,
-      power_ellipse,
-      rounded_rectangle
-    };
+    std::string shape     = "lens"; ///< a name of Registry<SectionShape>
+    double      width     = 4.0;    ///< w [mm]
+    double      thickness = 1.2;    ///< t [mm], at the center
+    double      tip       = 0.12;   ///< e [mm], half height of the blunt edge
 
-    Shape  shape     = Shape::lens;
-    double width     = 4.0;  ///< w [mm]
-    double thickness = 1.2;  ///< t [mm], at the center
-    double tip       = 0.12; ///< e [mm], half height of the blunt edge
-    double power     = 1.5;  ///< n [-], power ellipse only
+    /// Further numbers of the shape by the names of their entries; those that
+    /// are not here have their defaults.
+    std::map<std::string, double> numbers = {};
 
-    /// n of the family above (not for the rounded rectangle).
+    /// A further number of this shape, given or by default.
     double
-    exponent() const;
+    number(const std::string &entry) const;
     /// Half height h(y) [mm].
     double
     half_height(const double y) const;
@@ -73,9 +71,10 @@ namespace NPT
     NURBSPatch<2>
     patch(const unsigned int degree, const unsigned int n_across) const;
 
-    /// "lens", "ellipse", "power ellipse" or "rounded rectangle".
-    static Shape
-    shape_from_name(const std::string &name);
+    /// What makes these sizes impossible for the shape, without full stop;
+    /// empty if nothing does.
+    std::string
+    obstacle() const;
   };
 } // namespace NPT
 

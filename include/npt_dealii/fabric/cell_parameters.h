@@ -4,12 +4,14 @@
 #ifndef npt_dealii_fabric_cell_parameters_h
 #define npt_dealii_fabric_cell_parameters_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/fabric/bundle_section.h>
 #include <npt_dealii/iga/iga_space.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,19 @@ namespace NPT
     }
   };
 
+  /// One number for warp and weft, or one for each.
+  template <>
+  struct EntryValue<WarpWeft>
+  {
+    static std::string
+    text(const WarpWeft &value);
+    static WarpWeft
+    value(const std::string &text);
+    /// Both > 0.
+    static std::unique_ptr<dealii::Patterns::PatternBase>
+    pattern();
+  };
+
   /// Subsection "Cell": geometry of the weave.
   struct CellParameters
   {
@@ -48,12 +63,15 @@ namespace NPT
     WarpWeft bundle_width     = 4.0; ///< w [mm]
     WarpWeft bundle_thickness = 1.2; ///< t [mm]
 
-    BundleSection::Shape section       = BundleSection::Shape::lens;
-    double               section_power = 1.5; ///< n [-]
-    double               blunt_tip     = 0.1; ///< e / t [-]
+    std::string section   = "lens"; ///< a name of Registry<SectionShape>
+    double      blunt_tip = 0.1;    ///< e / t [-]
+    /// Numbers of all shapes by entry, see BundleSection::numbers.
+    std::map<std::string, double> section_numbers;
 
-    double      weaving_depth  = 1.0; ///< [-]
-    std::string type           = "sub-unit cell";
+    double weaving_depth = 1.0; ///< [-]
+    /// "automatic" is the smallest that represents modes 1 to 3, unless the
+    /// load programme asks for more.
+    std::string type           = "automatic";
     std::string weave          = "plain"; ///< name or table
     bool        two_fold_axis  = true;
     bool        smooth_closure = false; ///< C1 over the periodic faces
@@ -73,12 +91,24 @@ namespace NPT
     BundleSection
     weft_section() const;
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    /// Bind the members to the entries of the subsection.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
     /// Throws InputError for impossible combinations.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    check() const;
+
+  private:
+    void
+    add_section_parameters(dealii::ParameterHandler &prm);
+
+    void
+    add_constraint_parameters(dealii::ParameterHandler &prm);
   };
+
+  template <>
+  const EnumNames<CellParameters::SideContact> &
+  enum_names<CellParameters::SideContact>();
 
   /// Subsection "Mesh": discretization of each bundle.
   struct MeshParameters
@@ -89,10 +119,9 @@ namespace NPT
     unsigned int elements_across  = 9;
     unsigned int elements_through = 2;
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    /// Bind the members to the entries of the subsection.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
   };
 } // namespace NPT
 

@@ -20,9 +20,9 @@ namespace NPT
   {
   public:
     /**
-     * @param description plain, 2/2 twill, 5-harness satin, or a table with
-     *   one row per weft bundle, separated by '/', one letter per warp bundle:
-     *   o (warp over) or u (warp under).
+     * @param description A name of Registry<NamedWeave>, or a table with one
+     *   row per weft bundle, separated by '/', one letter per warp bundle: o
+     *   (warp over) or u (warp under).
      *
      * Throws InputError for anything else, naming what is wrong.
      */

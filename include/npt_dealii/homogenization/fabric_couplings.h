@@ -6,6 +6,7 @@
 #define npt_dealii_homogenization_fabric_couplings_h
 
 #include <npt_dealii/fabric/fabric_cell.h>
+#include <npt_dealii/homogenization/cell_modes.h>
 #include <npt_dealii/homogenization/macro_unknowns.h>
 #include <npt_dealii/homogenization/orbit_constraints.h>
 #include <npt_dealii/iga/iga_space.h>

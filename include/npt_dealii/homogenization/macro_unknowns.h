@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines the global unknowns of a cell: H1..H6 and the weaving offset, their
-// places among the unknowns and which of them are prescribed.
+// Defines the global unknowns of a cell, macroscopic modes and the weaving
+// offset, and their places among the unknowns.
 
 #ifndef npt_dealii_homogenization_macro_unknowns_h
 #define npt_dealii_homogenization_macro_unknowns_h
 
-#include <array>
+#include <npt_dealii/homogenization/macro_modes.h>
 
 namespace NPT
 {
   /**
    * Numbering of all unknowns of a cell: three displacement components per
-   * control point, then the six generalized displacement gradients H1..H6
-   * (H1..H3 [-], H4..H6 [1/mm]), then the weaving offset [mm]: the distance by
-   * which the bundles are still held apart, from t (straight) to 0 (woven).
+   * control point, then the generalized displacement gradients in the order of
+   * MacroModes::table, then the weaving offset [mm]: the distance by which the
+   * bundles are still held apart, from t (straight) to 0 (woven).
    */
   struct MacroUnknowns
   {
-    static constexpr unsigned int n_modes = 6;
-    static constexpr unsigned int n_macro = 7;
+    static constexpr unsigned int n_modes = MacroModes::n;
+    static constexpr unsigned int n_macro = n_modes + 1;
 
     explicit MacroUnknowns(const unsigned int n_control_points)
       : first(3 * n_control_points)

@@ -6,6 +6,7 @@
 #ifndef npt_dealii_iga_iga_space_h
 #define npt_dealii_iga_iga_space_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/iga/nurbs_patch.h>
 
 #include <deal.II/base/polynomial.h>
@@ -26,9 +27,9 @@ namespace NPT
     Lagrange   ///< the same spans with deal.II's FE_Q, nodes on the geometry
   };
 
-  /// "NURBS", "Bernstein" or "Lagrange"; throws InputError otherwise.
-  Basis
-  basis_from_name(const std::string &name);
+  template <>
+  const EnumNames<Basis> &
+  enum_names<Basis>();
 
   /**
    * The isogeometric space of one or more patches. Each nonempty knot span is

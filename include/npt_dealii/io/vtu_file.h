@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines the VTU files: rational Bezier cells and point clouds with their
-// fields, and the PVD record that lists them over a run.
+// Defines the VTU files, rational Bezier cells with their fields, and the PVD
+// record that lists them over a run.
 
 #ifndef npt_dealii_io_vtu_file_h
 #define npt_dealii_io_vtu_file_h
@@ -72,15 +72,6 @@ namespace NPT
   };
 
   /**
-   * Points without connectivity, e.g. the contact points, and their fields.
-   */
-  struct PointCloud
-  {
-    std::vector<double>      points; ///< three coordinates per point [mm]
-    std::vector<BezierField> fields;
-  };
-
-  /**
    * How the numbers of a VTU file are stored.
    */
   enum class Encoding
@@ -88,16 +79,6 @@ namespace NPT
     ascii,     ///< 17 digits, for people and tests
     binary,    ///< base64
     compressed ///< zlib, then base64; plain base64 if deal.II has no zlib
-  };
-
-  /**
-   * Options of write_vtu(). Single precision concerns the fields only;
-   * points and weights are always double.
-   */
-  struct VtuOptions
-  {
-    Encoding encoding         = Encoding::compressed;
-    bool     single_precision = false;
   };
 
   /**
@@ -124,15 +105,7 @@ namespace NPT
   void
   write_vtu(const std::string &filename,
             const BezierMesh  &mesh,
-            const VtuOptions  &options = VtuOptions());
-
-  /**
-   * Write a cloud of points as VTK vertices; an empty cloud gives a valid file.
-   */
-  void
-  write_vtu(const std::string &filename,
-            const PointCloud  &cloud,
-            const VtuOptions  &options = VtuOptions());
+            const Encoding     encoding = Encoding::compressed);
 
   /**
    * Write the record of a run: load times and the VTU files that belong to

@@ -5,6 +5,7 @@
 #ifndef npt_dealii_linear_algebra_linear_solver_h
 #define npt_dealii_linear_algebra_linear_solver_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/linear_algebra/csr_matrix.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -19,16 +20,26 @@ namespace NPT
   /// Subsection "Linear solver".
   struct LinearSolverParameters
   {
-    std::string  type           = "MUMPS"; ///< MUMPS|UMFPACK|ILU|ML
-    double       tolerance      = 1e-10;   ///< ILU, ML: relative residual [-]
-    unsigned int max_iterations = 500;     ///< ILU, ML: GMRES iterations
+    enum class Type
+    {
+      MUMPS,   ///< direct
+      UMFPACK, ///< direct
+      ILU,     ///< GMRES with incomplete factorization
+      ML       ///< GMRES with smoothed aggregation
+    };
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    Type         type           = Type::MUMPS;
+    double       tolerance      = 1e-10; ///< ILU, ML: relative residual [-]
+    unsigned int max_iterations = 500;   ///< ILU, ML: GMRES iterations
 
+    /// Bind the members to the entries of the subsection.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
   };
+
+  template <>
+  const EnumNames<LinearSolverParameters::Type> &
+  enum_names<LinearSolverParameters::Type>();
 
   /**
    * Solve A x = b for a general (friction: unsymmetric) sparse matrix on one

@@ -24,11 +24,9 @@ namespace NPT
     unsigned int max_halvings       = 8;
     unsigned int nonmonotone_memory = 3;
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
-
+    /// Bind the members to the entries of the subsection.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
   };
 
   /// What solve_newton() asks of a problem r(x) = 0. All but state_summary

@@ -21,14 +21,17 @@ namespace NPT
     double       maximum_step      = 0.05; ///< fraction of the stage [-]
     unsigned int target_iterations = 8;
 
-    /// Declare the entries in the present subsection, with the present values
-    /// of this object as defaults.
+    /// Bind the members to entries of the present subsection.
     void
-    declare_parameters(dealii::ParameterHandler &prm) const;
+    add_parameters(dealii::ParameterHandler &prm);
 
-    /// @param place Named in error messages, e.g. "subsection Stage shear".
+    /**
+     * Throws InputError unless minimum <= initial <= maximum.
+     *
+     * @param place Named in error messages, e.g. "subsection Stage shear".
+     */
     void
-    parse_parameters(dealii::ParameterHandler &prm, const std::string &place);
+    check(const std::string &place) const;
   };
 
   /**

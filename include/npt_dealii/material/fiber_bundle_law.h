@@ -6,6 +6,7 @@
 #define npt_dealii_material_fiber_bundle_law_h
 
 #include <npt_dealii/material/hyperelastic_law.h>
+#include <npt_dealii/material/law_parameters.h>
 
 #include <string>
 
@@ -91,7 +92,8 @@ namespace NPT
   public:
     /**
      * @param constants       Constants [MPa]. Not checked here: studies may
-     *   want an unstable law; parameter files are checked in make_material.
+     *   want an unstable law; parameter files are checked by
+     *   FiberBundleParameters.
      * @param fiber_direction A, of unit length to 1e-8 (throws otherwise).
      */
     FiberBundleLaw(const FiberBundleConstants   &constants,
@@ -134,6 +136,29 @@ namespace NPT
   private:
     const FiberBundleConstants   constants_;
     const dealii::Tensor<1, dim> fiber_direction_;
+  };
+
+
+
+  /// The law "fiber bundle" of a parameter file.
+  struct FiberBundleParameters final : public LawParameters
+  {
+    FiberBundleConstants constants; ///< (51), (52) [MPa]
+
+    std::unique_ptr<LawParameters>
+    clone() const override;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm) override;
+
+    void
+    check(const std::string &subsection) const override;
+
+    std::unique_ptr<HyperelasticLaw<2>>
+    make_law(const dealii::Tensor<1, 2> &fiber_direction) const override;
+
+    std::unique_ptr<HyperelasticLaw<3>>
+    make_law(const dealii::Tensor<1, 3> &fiber_direction) const override;
   };
 } // namespace NPT
 

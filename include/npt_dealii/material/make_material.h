@@ -7,60 +7,105 @@
 
 #include <npt_dealii/material/fiber_bundle_law.h>
 #include <npt_dealii/material/hyperelastic_law.h>
+#include <npt_dealii/material/law_parameters.h>
 #include <npt_dealii/material/neo_hookean.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/tensor.h>
 
+#include <map>
 #include <memory>
 #include <string>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
+#include <utility>
 
 namespace NPT
 {
   /**
-   * One material of a parameter file: which law, and its constants. Several
-   * materials are several objects of this type with subsections of their own.
+   * One material of a parameter file: which law, and the constants of all laws
+   * that are registered. Several materials are several objects of this type
+   * with subsections of their own.
    */
-  struct MaterialParameters
+  class MaterialParameters
   {
-    enum class Law
+  public:
+    /// A name of Registry<RegisteredLaw>, or "as NAME" until check() puts the
+    /// material of that name in its place.
+    std::string law;
+
+    explicit MaterialParameters(const std::string &law = "fiber bundle");
+    MaterialParameters(const MaterialParameters &other);
+    MaterialParameters &
+    operator=(const MaterialParameters &other);
+
+    /// The constants of a law by the type of its parameters, as in
+    /// `material.constants<NeoHookeanParameters>().young_modulus`, whether it
+    /// is the selected law or not.
+    template <typename Parameters>
+    const Parameters &
+    constants() const
     {
-      fiber_bundle,
-      neo_hookean
-    };
+      const Parameters *found = nullptr;
+      for (const auto &item : constants_)
+        if (!found)
+          found = dynamic_cast<const Parameters *>(item.second.get());
+      AssertThrow(found, dealii::ExcMessage("The law is not registered."));
+      return *found;
+    }
 
-    Law                  law = Law::fiber_bundle;
-    FiberBundleConstants fiber_bundle;             ///< (51), (52) [MPa]
-    double               young_modulus     = 100.; ///< neo-Hookean [MPa]
-    double               poisson_ratio     = 0.3;  ///< neo-Hookean [-]
-    VolumetricEnergy     volumetric_energy = VolumetricEnergy::logarithm;
+    template <typename Parameters>
+    Parameters &
+    constants()
+    {
+      return const_cast<Parameters &>(
+        std::as_const(*this).template constants<Parameters>());
+    }
+
+    /// The same for the selected law; null if that is another one.
+    template <typename Parameters>
+    const Parameters *
+    selected() const
+    {
+      const auto found = constants_.find(law);
+      return found == constants_.end() ?
+               nullptr :
+               dynamic_cast<const Parameters *>(found->second.get());
+    }
+
+    /// Of the selected law; throws InputError if there is none of this name.
+    const LawParameters &
+    selected_constants() const;
 
     /**
-     * @param same_as Name of another material; not empty: the entry Law has
-     *   the further choice "as NAME", which is its default.
-     */
-    static void
-    declare_parameters(dealii::ParameterHandler &prm,
-                       const std::string &subsection = "Fiber bundle material",
-                       const std::string &same_as    = "");
-
-    /**
-     * Read the entries and check those of the selected law.
+     * Bind law and constants to the entries of a subsection.
      *
-     * @param other The material that Law = as NAME refers to, or none.
+     * @param same_as Name of another material; not empty: the entry Law has
+     *   the further choice "as NAME".
+     */
+    void
+    add_parameters(dealii::ParameterHandler &prm,
+                   const std::string &subsection = "Fiber bundle material",
+                   const std::string &same_as    = "");
+
+    /**
+     * Check the constants of the selected law.
+     *
+     * @param other The material that Law = as NAME refers to, whose copy this
+     *   one then becomes, or none.
      *
      * Throws InputError if the small-strain stiffness is not positive
      * definite, if Young's modulus or Poisson's ratio is out of range, or if
      * constants are given that the law "as NAME" would ignore.
      */
     void
-    parse_parameters(dealii::ParameterHandler &prm,
-                     const std::string &subsection   = "Fiber bundle material",
-                     const MaterialParameters *other = nullptr);
+    check(const std::string        &subsection = "Fiber bundle material",
+          const MaterialParameters *other      = nullptr);
+
+  private:
+    /// The first constant that is not the default, or empty.
+    std::string
+    first_changed_constant() const;
+
+    std::map<std::string, std::unique_ptr<LawParameters>> constants_;
   };
 
   /**
@@ -72,7 +117,10 @@ namespace NPT
   template <int dim>
   std::unique_ptr<HyperelasticLaw<dim>>
   make_material(const MaterialParameters     &parameters,
-                const dealii::Tensor<1, dim> &fiber_direction);
+                const dealii::Tensor<1, dim> &fiber_direction)
+  {
+    return parameters.selected_constants().make_law(fiber_direction);
+  }
 } // namespace NPT
 
 #endif

@@ -5,7 +5,9 @@
 #ifndef npt_dealii_material_neo_hookean_h
 #define npt_dealii_material_neo_hookean_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/material/hyperelastic_law.h>
+#include <npt_dealii/material/law_parameters.h>
 
 namespace NPT
 {
@@ -18,6 +20,10 @@ namespace NPT
     logarithm, ///< lambda/2 (ln J)^2, Eq. (51)
     ciarlet    ///< lambda/4 (J^2 - 1 - 2 ln J), Eq. (A14)
   };
+
+  template <>
+  const EnumNames<VolumetricEnergy> &
+  enum_names<VolumetricEnergy>();
 
   /// Lame constants [MPa] and the volumetric energy they belong to.
   struct NeoHookeanConstants
@@ -79,6 +85,39 @@ namespace NPT
 
   private:
     const NeoHookeanConstants constants_;
+  };
+
+
+
+  /// The law "neo-Hookean" of a parameter file.
+  struct NeoHookeanParameters final : public LawParameters
+  {
+    double           young_modulus     = 100.; ///< E [MPa]
+    double           poisson_ratio     = 0.3;  ///< nu [-]
+    VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithm;
+
+    NeoHookeanConstants
+    constants() const
+    {
+      return NeoHookeanConstants::from_young_and_poisson(young_modulus,
+                                                         poisson_ratio,
+                                                         volumetric_energy);
+    }
+
+    std::unique_ptr<LawParameters>
+    clone() const override;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm) override;
+
+    void
+    check(const std::string &subsection) const override;
+
+    std::unique_ptr<HyperelasticLaw<2>>
+    make_law(const dealii::Tensor<1, 2> &fiber_direction) const override;
+
+    std::unique_ptr<HyperelasticLaw<3>>
+    make_law(const dealii::Tensor<1, 3> &fiber_direction) const override;
   };
 } // namespace NPT
 

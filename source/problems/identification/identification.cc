@@ -109,9 +109,10 @@ namespace NPT
 
 
 
-    std::vector<FittedCurve>
-    select_curves(const std::vector<MaterialCurve> &curves,
-                  const IdentificationParameters   &parameters)
+    // Names in the parameters must be among the data.
+    void
+    check_names(const std::vector<MaterialCurve> &curves,
+                const IdentificationParameters   &parameters)
     {
       std::vector<std::string> names;
       for (const MaterialCurve &curve : curves)
@@ -128,7 +129,32 @@ namespace NPT
         check_name(name, "Curves");
       for (const auto &weight : parameters.weights)
         check_name(weight.first, "Weights");
+    }
 
+
+
+    // The components of H that a test drives.
+    std::array<bool, 9>
+    driven_components(const MaterialCurve &curve)
+    {
+      std::array<double, 9> amplitude{};
+      for (const auto &H : curve.H)
+        for (unsigned int e = 0; e < 9; ++e)
+          amplitude[e] = std::max(amplitude[e], std::abs(H[e / 3][e % 3]));
+      const double most = *std::max_element(amplitude.begin(), amplitude.end());
+      std::array<bool, 9> driven;
+      for (unsigned int e = 0; e < 9; ++e)
+        driven[e] = amplitude[e] > 1e-6 * most;
+      return driven;
+    }
+
+
+
+    std::vector<FittedCurve>
+    select_curves(const std::vector<MaterialCurve> &curves,
+                  const IdentificationParameters   &parameters)
+    {
+      check_names(curves, parameters);
       std::vector<FittedCurve> result;
       for (const MaterialCurve &curve : curves)
         {
@@ -146,16 +172,9 @@ namespace NPT
           if (parameters.components ==
               IdentificationParameters::Components::driven)
             {
-              std::array<double, 9> amplitude{};
-              for (const auto &H : curve.H)
-                for (unsigned int e = 0; e < 9; ++e)
-                  amplitude[e] =
-                    std::max(amplitude[e], std::abs(H[e / 3][e % 3]));
-              const double most =
-                *std::max_element(amplitude.begin(), amplitude.end());
+              const std::array<bool, 9> driven = driven_components(curve);
               for (unsigned int e = 0; e < 9; ++e)
-                fitted.fitted[e] =
-                  fitted.fitted[e] && amplitude[e] > 1e-6 * most;
+                fitted.fitted[e] = fitted.fitted[e] && driven[e];
             }
           for (const auto &P : curve.P)
             for (unsigned int e = 0; e < 9; ++e)
@@ -235,138 +254,110 @@ namespace NPT
 
 
 
-  IdentificationResult
-  identify(const std::vector<MaterialCurve> &all_curves,
-           const IdentificationParameters   &parameters)
+  namespace
   {
-    const std::vector<FittedCurve> curves =
-      select_curves(all_curves, parameters);
-    std::vector<FiberBundleLaw<3>> laws;
-    for (unsigned int k = 0; k < n_constants; ++k)
-      laws.push_back(unit_law(k));
+    using UnitLaws = std::vector<FiberBundleLaw<3>>;
 
-    // One row per stress value. Stresses at H = 0 vanish for any constants:
-    // they are no data and would only flatter the variance.
-    IdentificationResult             result;
-    std::vector<std::vector<double>> rows;
-    std::vector<double>              y;
-    for (const FittedCurve &c : curves)
-      for (unsigned int r = 0; r < c.curve->H.size(); ++r)
-        {
-          if (c.curve->H[r].norm() < 1e-12)
-            continue;
-          std::array<Tensor<2, 3>, n_constants> B;
-          for (unsigned int k = 0; k < n_constants; ++k)
-            laws[k].stress(deformation_gradient(c.curve->H[r]), B[k]);
-          for (unsigned int e = 0; e < 9; ++e)
-            if (c.fitted[e])
-              {
-                std::vector<double> row;
-                for (unsigned int k = 0; k < n_constants; ++k)
-                  row.push_back(c.factor * B[k][e / 3][e % 3]);
-                rows.push_back(row);
-                y.push_back(c.factor * c.curve->P[r][e / 3][e % 3]);
-              }
-        }
-    result.n_data = rows.size();
-    if (rows.size() < n_constants)
-      throw InputError(
-        "The selected curves have " + std::to_string(rows.size()) +
-        " stress values, fewer than the six constants of the law; give more "
-        "data or select more curves (entry Curves, subsection "
-        "Identification).");
-    FullMatrix<double> X(rows.size(), n_constants);
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      for (unsigned int k = 0; k < n_constants; ++k)
-        X(i, k) = rows[i][k];
+    // The fit as a linear problem X theta = y, one row per stress value.
+    struct StressData
+    {
+      FullMatrix<double>  X;
+      std::vector<double> y;
+    };
 
-    const LeastSquares fit(X, y);
-    result.reciprocal_condition = fit.reciprocal_condition;
-    if (fit.reciprocal_condition < 1e-10)
+    StressData
+    collect_stresses(const std::vector<FittedCurve> &curves,
+                     const UnitLaws                 &laws)
+    {
+      // Stresses at H = 0 vanish for any constants: they are no data and would
+      // only flatter the variance.
+      std::vector<std::vector<double>> rows;
+      StressData                       data;
+      for (const FittedCurve &c : curves)
+        for (unsigned int r = 0; r < c.curve->H.size(); ++r)
+          {
+            if (c.curve->H[r].norm() < 1e-12)
+              continue;
+            std::array<Tensor<2, 3>, n_constants> B;
+            for (unsigned int k = 0; k < n_constants; ++k)
+              laws[k].stress(deformation_gradient(c.curve->H[r]), B[k]);
+            for (unsigned int e = 0; e < 9; ++e)
+              if (c.fitted[e])
+                {
+                  std::vector<double> row;
+                  for (unsigned int k = 0; k < n_constants; ++k)
+                    row.push_back(c.factor * B[k][e / 3][e % 3]);
+                  rows.push_back(row);
+                  data.y.push_back(c.factor * c.curve->P[r][e / 3][e % 3]);
+                }
+          }
+      if (rows.size() < n_constants)
+        throw InputError(
+          "The selected curves have " + std::to_string(rows.size()) +
+          " stress values, fewer than the six constants of the law; give more "
+          "data or select more curves (entry Curves, subsection "
+          "Identification).");
+      data.X.reinit(rows.size(), n_constants);
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        for (unsigned int k = 0; k < n_constants; ++k)
+          data.X(i, k) = rows[i][k];
+      return data;
+    }
+
+
+
+    // Looks where a law is not stable and cuts such constants off by planes.
+    // Half the margin is enough to stop: the cuts ask for all of it, so that
+    // the iteration ends.
+    class StabilityCuts
+    {
+    public:
+      StabilityCuts(const std::vector<FittedCurve> &curves,
+                    const UnitLaws                 &laws,
+                    const IdentificationParameters &parameters)
+        : curves_(curves)
+        , laws_(laws)
+        , parameters_(parameters)
+        , margin_(parameters.stability_margin)
+      {}
+
+      const std::vector<HalfSpace> &
+      cuts() const
       {
-        throw InputError("The selected curves do not determine all six "
-                         "constants: a change in the ratio (" +
-                         undetermined_combination(X) +
-                         ") leaves their stresses as they are; select curves "
-                         "of other modes too (entry Curves, subsection "
-                         "Identification).");
+        return cuts_;
       }
 
-    // Cutting planes. Half the margin is enough to stop: the cuts ask for all
-    // of it, so that the iteration ends.
-    const double           margin = parameters.stability_margin;
-    std::vector<double>    theta  = fit.solution;
-    std::vector<HalfSpace> cuts;
-    std::vector<bool>      active;
-    for (unsigned int round = 0;; ++round)
+      // At rest: the eigenvectors of the stiffness on symmetric tensors. The
+      // plane of strains symmetric about the fiber, and the two shears, one by
+      // one: each is an eigenspace.
+      void
+      check_stiffness(const std::vector<double> &theta,
+                      IdentificationResult      &result)
       {
-        AssertThrow(round < 200,
-                    dealii::ExcMessage(
-                      "No stable constants found in 200 cutting planes."));
-        const unsigned int      n_before = cuts.size();
-        const FiberBundleLaw<3> law(to_struct(theta), fiber_direction());
-
-        // At rest: the eigenvector of the lowest eigenvalue of the stiffness
-        // (on the orthonormal basis of symmetric tensors).
-        result.stiffness = law.constants().lowest_stiffness_eigenvalue();
-        if (parameters.positive_definite &&
-            result.stiffness.value < 0.5 * margin)
+        result.stiffness = to_struct(theta).lowest_stiffness_eigenvalue();
+        if (!parameters_.positive_definite ||
+            result.stiffness.value >= 0.5 * margin_)
+          return;
+        UnitTangents A;
+        for (unsigned int k = 0; k < n_constants; ++k)
           {
-            // The plane of strains symmetric about the fiber, and the two
-            // shears, one by one: each is an eigenspace.
-            std::array<std::array<double, 81>, n_constants> A;
-            for (unsigned int k = 0; k < n_constants; ++k)
-              {
-                double F[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, P[9];
-                laws[k].stress_and_tangent(F, P, A[k].data());
-              }
-            const auto cut = [&](const Tensor<2, 3> &e) {
-              HalfSpace half_space{std::vector<double>(n_constants, 0.),
-                                   margin};
-              double    value = 0;
-              for (unsigned int k = 0; k < n_constants; ++k)
-                {
-                  for (unsigned int a = 0; a < 9; ++a)
-                    for (unsigned int b = 0; b < 9; ++b)
-                      half_space.g[k] +=
-                        e[a / 3][a % 3] * A[k][9 * a + b] * e[b / 3][b % 3];
-                  value += half_space.g[k] * theta[k];
-                }
-              if (value < 0.5 * margin)
-                cuts.push_back(half_space);
-            };
-            Tensor<2, 3> shear_along, shear_across;
-            shear_along[0][1] = shear_along[1][0] = std::sqrt(0.5);
-            shear_across[1][2] = shear_across[2][1] = std::sqrt(0.5);
-            cut(shear_along);
-            cut(shear_across);
-            double     worst_angle = 0, worst = 1e300;
-            const auto axisymmetric = [](const double angle) {
-              Tensor<2, 3> e;
-              e[0][0] = std::cos(angle);
-              e[1][1] = e[2][2] = std::sqrt(0.5) * std::sin(angle);
-              return e;
-            };
-            for (unsigned int n = 0; n < 720; ++n)
-              {
-                const double       angle = dealii::numbers::PI * n / 720.;
-                const Tensor<2, 3> e     = axisymmetric(angle);
-                double             value = 0;
-                for (unsigned int k = 0; k < n_constants; ++k)
-                  for (unsigned int a = 0; a < 9; a += 4)
-                    for (unsigned int b = 0; b < 9; b += 4)
-                      value += theta[k] * e[a / 3][a % 3] * A[k][9 * a + b] *
-                               e[b / 3][b % 3];
-                if (value < worst)
-                  {
-                    worst       = value;
-                    worst_angle = angle;
-                  }
-              }
-            cut(axisymmetric(worst_angle));
+            double F[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, P[9];
+            laws_[k].stress_and_tangent(F, P, A[k].data());
           }
+        Tensor<2, 3> shear_along, shear_across;
+        shear_along[0][1] = shear_along[1][0] = std::sqrt(0.5);
+        shear_across[1][2] = shear_across[2][1] = std::sqrt(0.5);
+        cut_strain(shear_along, A, theta);
+        cut_strain(shear_across, A, theta);
+        cut_strain(softest_axisymmetric_strain(A, theta), A, theta);
+      }
 
-        // Over the fitted range, the natural state included.
+      // Over the fitted range, the natural state included.
+      void
+      check_acoustic_tensor(const std::vector<double> &theta,
+                            IdentificationResult      &result)
+      {
+        const FiberBundleLaw<3> law(to_struct(theta), fiber_direction());
         result.acoustic  = 1e300;
         const auto check = [&](const Tensor<2, 3> &F,
                                const std::string  &place) {
@@ -376,100 +367,233 @@ namespace NPT
               result.acoustic       = lowest.value;
               result.acoustic_place = place;
             }
-          if (!parameters.elliptic || lowest.value >= 0.5 * margin)
-            return;
-          HalfSpace half_space{std::vector<double>(n_constants, 0.), margin};
-          for (unsigned int k = 0; k < n_constants; ++k)
-            {
-              Tensor<2, 3> P;
-              Tensor<4, 3> A;
-              laws[k].stress_and_tangent(F, P, A);
-              const auto &m = lowest.polarization;
-              const auto &N = lowest.normal;
-              for (unsigned int i = 0; i < 3; ++i)
-                for (unsigned int J = 0; J < 3; ++J)
-                  for (unsigned int l = 0; l < 3; ++l)
-                    for (unsigned int L = 0; L < 3; ++L)
-                      half_space.g[k] +=
-                        A[i][J][l][L] * m[i] * N[J] * m[l] * N[L];
-            }
-          cuts.push_back(half_space);
+          if (parameters_.elliptic && lowest.value < 0.5 * margin_)
+            cut_wave(F, lowest.polarization, lowest.normal);
         };
         check(deformation_gradient(Tensor<2, 3>()), "at rest");
-        for (const FittedCurve &c : curves)
+        for (const FittedCurve &c : curves_)
           for (unsigned int r = 0; r < c.curve->H.size(); ++r)
             check(deformation_gradient(c.curve->H[r]),
                   "curve " + c.curve->name + ", point " +
                     std::to_string(r + 1));
+      }
 
-        if (cuts.size() == n_before)
+    private:
+      using UnitTangents = std::array<std::array<double, 81>, n_constants>;
+
+      void
+      cut_strain(const Tensor<2, 3>        &e,
+                 const UnitTangents        &A,
+                 const std::vector<double> &theta)
+      {
+        HalfSpace half_space{std::vector<double>(n_constants, 0.), margin_};
+        double    value = 0;
+        for (unsigned int k = 0; k < n_constants; ++k)
+          {
+            for (unsigned int a = 0; a < 9; ++a)
+              for (unsigned int b = 0; b < 9; ++b)
+                half_space.g[k] +=
+                  e[a / 3][a % 3] * A[k][9 * a + b] * e[b / 3][b % 3];
+            value += half_space.g[k] * theta[k];
+          }
+        if (value < 0.5 * margin_)
+          cuts_.push_back(half_space);
+      }
+
+      static Tensor<2, 3>
+      softest_axisymmetric_strain(const UnitTangents        &A,
+                                  const std::vector<double> &theta)
+      {
+        const auto axisymmetric = [](const double angle) {
+          Tensor<2, 3> e;
+          e[0][0] = std::cos(angle);
+          e[1][1] = e[2][2] = std::sqrt(0.5) * std::sin(angle);
+          return e;
+        };
+        double worst_angle = 0, worst = 1e300;
+        for (unsigned int n = 0; n < 720; ++n)
+          {
+            const double       angle = dealii::numbers::PI * n / 720.;
+            const Tensor<2, 3> e     = axisymmetric(angle);
+            double             value = 0;
+            for (unsigned int k = 0; k < n_constants; ++k)
+              for (unsigned int a = 0; a < 9; a += 4)
+                for (unsigned int b = 0; b < 9; b += 4)
+                  value += theta[k] * e[a / 3][a % 3] * A[k][9 * a + b] *
+                           e[b / 3][b % 3];
+            if (value < worst)
+              {
+                worst       = value;
+                worst_angle = angle;
+              }
+          }
+        return axisymmetric(worst_angle);
+      }
+
+      void
+      cut_wave(const Tensor<2, 3> &F,
+               const Tensor<1, 3> &m,
+               const Tensor<1, 3> &N)
+      {
+        HalfSpace half_space{std::vector<double>(n_constants, 0.), margin_};
+        for (unsigned int k = 0; k < n_constants; ++k)
+          {
+            Tensor<2, 3> P;
+            Tensor<4, 3> A;
+            laws_[k].stress_and_tangent(F, P, A);
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int J = 0; J < 3; ++J)
+                for (unsigned int l = 0; l < 3; ++l)
+                  for (unsigned int L = 0; L < 3; ++L)
+                    half_space.g[k] +=
+                      A[i][J][l][L] * m[i] * N[J] * m[l] * N[L];
+          }
+        cuts_.push_back(half_space);
+      }
+
+      const std::vector<FittedCurve> &curves_;
+      const UnitLaws                 &laws_;
+      const IdentificationParameters &parameters_;
+      const double                    margin_;
+      std::vector<HalfSpace>          cuts_;
+    };
+
+
+
+    // C - C g g^T C / (g^T C g): covariance with g^T theta known.
+    void
+    impose_on_covariance(const std::vector<double> &g, FullMatrix<double> &C)
+    {
+      std::vector<double> Cg(n_constants, 0.);
+      double              gCg = 0;
+      for (unsigned int i = 0; i < n_constants; ++i)
+        {
+          for (unsigned int j = 0; j < n_constants; ++j)
+            Cg[i] += C(i, j) * g[j];
+          gCg += g[i] * Cg[i];
+        }
+      if (gCg > 0.)
+        for (unsigned int i = 0; i < n_constants; ++i)
+          for (unsigned int j = 0; j < n_constants; ++j)
+            C(i, j) -= Cg[i] * Cg[j] / gCg;
+    }
+
+
+
+    // Variance of the weighted stresses, and the covariance of the constants
+    // with active constraints as equations. Returns the degrees of freedom.
+    unsigned int
+    estimate_confidence(const StressData             &data,
+                        const FullMatrix<double>     &inverse,
+                        const std::vector<double>    &theta,
+                        const std::vector<HalfSpace> &cuts,
+                        const std::vector<bool>      &active,
+                        IdentificationResult         &result)
+    {
+      double sum_of_squares = 0;
+      for (unsigned int i = 0; i < data.y.size(); ++i)
+        {
+          double residual = -data.y[i];
+          for (unsigned int k = 0; k < n_constants; ++k)
+            residual += data.X(i, k) * theta[k];
+          sum_of_squares += residual * residual;
+        }
+      const unsigned int n_active =
+        std::min(result.n_active_constraints, n_constants);
+      const unsigned int freedom  = data.y.size() - n_constants + n_active;
+      const double       variance = freedom > 0 ? sum_of_squares / freedom : 0.;
+      result.covariance           = inverse;
+      for (unsigned int c = 0; c < cuts.size(); ++c)
+        if (active[c])
+          impose_on_covariance(cuts[c].g, result.covariance);
+      result.covariance *= variance;
+      const double t = freedom > 0 ? gsl_cdf_tdist_Pinv(0.975, freedom) : 0.;
+      for (unsigned int k = 0; k < n_constants; ++k)
+        {
+          result.standard_error[k] =
+            std::sqrt(std::max(0., result.covariance(k, k)));
+          result.confidence[k] = t * result.standard_error[k];
+        }
+      return freedom;
+    }
+
+
+
+    std::vector<std::string>
+    notes_on(const IdentificationResult &result, const unsigned int freedom)
+    {
+      std::vector<std::string> notes;
+      if (freedom == 0)
+        notes.push_back("As many data as constants: there is no residual "
+                        "from which a confidence could be told.");
+      if (result.n_active_constraints > 0)
+        notes.push_back("The best fit without constraints is not stable; " +
+                        std::to_string(result.n_active_constraints) +
+                        " stability condition(s) hold the constants back.");
+      if (result.stiffness.value <= 0.)
+        notes.push_back("The small-strain stiffness is not positive "
+                        "definite; other runs will refuse this law.");
+      if (result.acoustic <= 0.)
+        notes.push_back("The law is not elliptic over the fitted range (" +
+                        result.acoustic_place + ").");
+      if (result.reciprocal_condition < 1e-5)
+        notes.push_back(
+          "The data hardly determine all constants (reciprocal condition " +
+          short_number(result.reciprocal_condition, 2) + ").");
+      return notes;
+    }
+  } // namespace
+
+
+
+  IdentificationResult
+  identify(const std::vector<MaterialCurve> &all_curves,
+           const IdentificationParameters   &parameters)
+  {
+    const std::vector<FittedCurve> curves =
+      select_curves(all_curves, parameters);
+    UnitLaws laws;
+    for (unsigned int k = 0; k < n_constants; ++k)
+      laws.push_back(unit_law(k));
+
+    const StressData     data = collect_stresses(curves, laws);
+    const LeastSquares   fit(data.X, data.y);
+    IdentificationResult result;
+    result.n_data               = data.y.size();
+    result.reciprocal_condition = fit.reciprocal_condition;
+    if (fit.reciprocal_condition < 1e-10)
+      throw InputError("The selected curves do not determine all six "
+                       "constants: a change in the ratio (" +
+                       undetermined_combination(data.X) +
+                       ") leaves their stresses as they are; select curves "
+                       "of other modes too (entry Curves, subsection "
+                       "Identification).");
+
+    std::vector<double> theta = fit.solution;
+    StabilityCuts       stability(curves, laws, parameters);
+    std::vector<bool>   active;
+    for (unsigned int round = 0;; ++round)
+      {
+        AssertThrow(round < 200,
+                    dealii::ExcMessage(
+                      "No stable constants found in 200 cutting planes."));
+        const std::size_t n_before = stability.cuts().size();
+        stability.check_stiffness(theta, result);
+        stability.check_acoustic_tensor(theta, result);
+        if (stability.cuts().size() == n_before)
           break;
-        theta = nearest_admissible(fit.solution, fit.inverse, cuts, active);
+        theta = nearest_admissible(fit.solution,
+                                   fit.inverse,
+                                   stability.cuts(),
+                                   active);
       }
     result.constants = to_struct(theta);
     for (const bool a : active)
       result.n_active_constraints += a;
-
-    // Variance of the weighted stresses, and the covariance of the constants
-    // with active constraints as equations.
-    double sum_of_squares = 0;
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      {
-        double residual = -y[i];
-        for (unsigned int k = 0; k < n_constants; ++k)
-          residual += X(i, k) * theta[k];
-        sum_of_squares += residual * residual;
-      }
-    const unsigned int n_active =
-      std::min(result.n_active_constraints, n_constants);
-    const unsigned int freedom  = rows.size() - n_constants + n_active;
-    const double       variance = freedom > 0 ? sum_of_squares / freedom : 0.;
-    result.covariance           = fit.inverse;
-    for (unsigned int c = 0; c < cuts.size(); ++c)
-      if (active[c])
-        {
-          // C - C g g^T C / (g^T C g), one constraint after the other.
-          std::vector<double> Cg(n_constants, 0.);
-          double              gCg = 0;
-          for (unsigned int i = 0; i < n_constants; ++i)
-            {
-              for (unsigned int j = 0; j < n_constants; ++j)
-                Cg[i] += result.covariance(i, j) * cuts[c].g[j];
-              gCg += cuts[c].g[i] * Cg[i];
-            }
-          if (gCg > 0.)
-            for (unsigned int i = 0; i < n_constants; ++i)
-              for (unsigned int j = 0; j < n_constants; ++j)
-                result.covariance(i, j) -= Cg[i] * Cg[j] / gCg;
-        }
-    result.covariance *= variance;
-    const double t = freedom > 0 ? gsl_cdf_tdist_Pinv(0.975, freedom) : 0.;
-    for (unsigned int k = 0; k < n_constants; ++k)
-      {
-        result.standard_error[k] =
-          std::sqrt(std::max(0., result.covariance(k, k)));
-        result.confidence[k] = t * result.standard_error[k];
-      }
+    const unsigned int freedom = estimate_confidence(
+      data, fit.inverse, theta, stability.cuts(), active, result);
     result.errors = errors_of(curves, result.constants);
-
-    if (freedom == 0)
-      result.notes.push_back("As many data as constants: there is no residual "
-                             "from which a confidence could be told.");
-    if (result.n_active_constraints > 0)
-      result.notes.push_back(
-        "The best fit without constraints is not stable; " +
-        std::to_string(result.n_active_constraints) +
-        " stability condition(s) hold the constants back.");
-    if (result.stiffness.value <= 0.)
-      result.notes.push_back("The small-strain stiffness is not positive "
-                             "definite; other runs will refuse this law.");
-    if (result.acoustic <= 0.)
-      result.notes.push_back("The law is not elliptic over the fitted range (" +
-                             result.acoustic_place + ").");
-    if (fit.reciprocal_condition < 1e-5)
-      result.notes.push_back(
-        "The data hardly determine all constants (reciprocal condition " +
-        short_number(fit.reciprocal_condition, 2) + ").");
+    result.notes  = notes_on(result, freedom);
     return result;
   }
 

@@ -105,15 +105,12 @@ namespace NPT
 
 
 
-  std::string
-  write_fit(const std::string                &directory,
-            const std::vector<MaterialCurve> &curves,
-            const FiberBundleConstants       &constants,
-            const bool                        picture)
+  namespace
   {
-    // Amplitude and stress of a curve as in Fig. 8: the component that is
-    // driven most; a symmetric shear counts as engineering shear.
-    const auto leading = [](const MaterialCurve &curve) {
+    // The component of H that is driven most.
+    unsigned int
+    leading_component(const MaterialCurve &curve)
+    {
       unsigned int best = 0;
       double       most = 0;
       for (const auto &H : curve.H)
@@ -124,22 +121,35 @@ namespace NPT
               best = e;
             }
       return best;
-    };
-    const auto amplitude = [](const Tensor<2, 3> &H, const unsigned int e) {
+    }
+
+    // A symmetric shear counts as engineering shear.
+    double
+    amplitude(const Tensor<2, 3> &H, const unsigned int e)
+    {
       const unsigned int i = e / 3, J = e % 3;
       return i == J ? H[i][i] : H[i][J] + H[J][i];
-    };
-    const auto stress = [](const Tensor<2, 3> &P, const unsigned int e) {
-      return 0.5 * (P[e / 3][e % 3] + P[e % 3][e / 3]);
-    };
+    }
 
-    std::vector<std::string> columns{"test", "amplitude", "stress", "fit"};
-    for (const std::string kind : {"H", "P", "fit P"})
-      for (unsigned int e = 0; e < 9; ++e)
-        columns.push_back(kind + std::to_string(e / 3 + 1) +
-                          std::to_string(e % 3 + 1));
+    double
+    mean_stress(const Tensor<2, 3> &P, const unsigned int e)
     {
-      TableWriter table(directory + "/fit.csv",
+      return 0.5 * (P[e / 3][e % 3] + P[e % 3][e / 3]);
+    }
+
+
+
+    void
+    write_fit_table(const std::string                &filename,
+                    const std::vector<MaterialCurve> &curves,
+                    const FiberBundleConstants       &constants)
+    {
+      std::vector<std::string> columns{"test", "amplitude", "stress", "fit"};
+      for (const std::string kind : {"H", "P", "fit P"})
+        for (unsigned int e = 0; e < 9; ++e)
+          columns.push_back(kind + std::to_string(e / 3 + 1) +
+                            std::to_string(e % 3 + 1));
+      TableWriter table(filename,
                         columns,
                         {"Fit of the fiber bundle law to test data; stresses "
                          "in MPa, first Piola-Kirchhoff.",
@@ -147,14 +157,14 @@ namespace NPT
                          "most, engineering shear and mean of iJ and Ji."});
       for (const MaterialCurve &curve : curves)
         {
-          const unsigned int e = leading(curve);
+          const unsigned int e = leading_component(curve);
           for (unsigned int r = 0; r < curve.H.size(); ++r)
             {
               const Tensor<2, 3>     P = bundle_stress(constants, curve.H[r]);
               std::vector<TableCell> row{curve.name,
                                          amplitude(curve.H[r], e),
-                                         stress(curve.P[r], e),
-                                         stress(P, e)};
+                                         mean_stress(curve.P[r], e),
+                                         mean_stress(P, e)};
               for (const auto &T : {curve.H[r], curve.P[r], P})
                 for (unsigned int k = 0; k < 9; ++k)
                   row.emplace_back(T[k / 3][k % 3]);
@@ -162,6 +172,53 @@ namespace NPT
             }
         }
     }
+
+
+
+    // Points and line of the tests of one kind, as in Fig. 8.
+    void
+    write_fit_panel(std::ostream                     &out,
+                    const std::vector<MaterialCurve> &curves,
+                    const bool                        shear)
+    {
+      out << "  set title '" << (shear ? "shear" : "tension") << "'\n";
+      std::string  separator = "  plot \\\n";
+      unsigned int n         = 0;
+      for (const MaterialCurve &curve : curves)
+        {
+          const unsigned int e = leading_component(curve);
+          if ((e / 3 != e % 3) != shear)
+            continue;
+          const std::string color = gnuplot_color(n++);
+          std::string       name  = curve.name;
+          for (char &c : name)
+            if (c == '\'')
+              c = ' ';
+          for (const std::string kind : {"stress", "fit"})
+            {
+              out << separator << "    'fit.csv' using (column('amplitude')"
+                  << "):(strcol('test') eq '" << name << "' ? column('" << kind
+                  << "') : NaN) "
+                  << (kind == "fit" ?
+                        "with lines lw 2 lc rgb '" + color + "' notitle" :
+                        "with points pt 7 ps 0.6 lc rgb '" + color +
+                          "' title '" + name + "'");
+              separator = ", \\\n";
+            }
+        }
+      out << (n > 0 ? "\n" : "  set multiplot next\n");
+    }
+  } // namespace
+
+
+
+  std::string
+  write_fit(const std::string                &directory,
+            const std::vector<MaterialCurve> &curves,
+            const FiberBundleConstants       &constants,
+            const bool                        picture)
+  {
+    write_fit_table(directory + "/fit.csv", curves, constants);
 
     GnuplotPicture frame;
     frame.name               = "fit";
@@ -174,34 +231,7 @@ namespace NPT
     const std::string script = directory + "/fit.gp";
     write_gnuplot_script(script, frame, [&](std::ostream &out) {
       for (const bool shear : {false, true})
-        {
-          out << "  set title '" << (shear ? "shear" : "tension") << "'\n";
-          std::string  separator = "  plot \\\n";
-          unsigned int n         = 0;
-          for (const MaterialCurve &curve : curves)
-            {
-              const unsigned int e = leading(curve);
-              if ((e / 3 != e % 3) != shear)
-                continue;
-              const std::string color = gnuplot_color(n++);
-              std::string       name  = curve.name;
-              for (char &c : name)
-                if (c == '\'')
-                  c = ' ';
-              for (const std::string kind : {"stress", "fit"})
-                {
-                  out << separator << "    'fit.csv' using (column('amplitude')"
-                      << "):(strcol('test') eq '" << name << "' ? column('"
-                      << kind << "') : NaN) "
-                      << (kind == "fit" ?
-                            "with lines lw 2 lc rgb '" + color + "' notitle" :
-                            "with points pt 7 ps 0.6 lc rgb '" + color +
-                              "' title '" + name + "'");
-                  separator = ", \\\n";
-                }
-            }
-          out << (n > 0 ? "\n" : "  set multiplot next\n");
-        }
+        write_fit_panel(out, curves, shear);
     });
     return picture ? run_gnuplot(script) : std::string();
   }

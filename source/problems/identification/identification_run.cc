@@ -1,85 +1,62 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The problem `identification`: from tables of tests to the constants of the
-// bundle law.
+// Defines the problem `identification`: from tables of tests to the constants
+// of the bundle law.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/identification/identification_report.h>
 #include <npt_dealii/problems/identification/identification_run.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <sstream>
-
 namespace NPT
 {
   namespace Patterns = dealii::Patterns;
-  using dealii::Utilities::split_string_list;
-
-  namespace
-  {
-    void
-    declare_identification(dealii::ParameterHandler &prm)
-    {
-      declare_problem(prm, "identification");
-      prm.enter_subsection("Data");
-      prm.declare_entry("Files",
-                        "output-nmt/material_tests.csv",
-                        Patterns::List(Patterns::Anything(), 1),
-                        "Tables of tests (CSV with a header), separated by "
-                        "commas: columns H11 ... H33 [-] and P11 ... P33 "
-                        "[MPa], and optionally `test`, the name of the curve. "
-                        "Missing H are zero, missing P were not measured; "
-                        "direction 1 is the fiber's.");
-      prm.leave_subsection();
-      IdentificationParameters::declare_parameters(prm);
-      MaterialOutputParameters::declare_parameters(prm,
-                                                   "output-identify",
-                                                   false);
-    }
-  } // namespace
-
-
 
   void
-  MaterialOutputParameters::declare_parameters(
-    dealii::ParameterHandler &prm,
-    const std::string        &default_directory,
-    const bool                with_fields)
+  MaterialOutputParameters::add_parameters(dealii::ParameterHandler &prm,
+                                           const bool with_fields)
   {
-    prm.enter_subsection("Output");
-    prm.declare_entry("Directory",
-                      default_directory,
-                      Patterns::DirectoryName(),
-                      "Where all results go; created if missing. The option "
-                      "--output of the program overrides it.");
+    const ParameterSubsection subsection(prm, "Output");
+    add_parameter(prm,
+                  "Directory",
+                  directory,
+                  "Where all results go; created if missing. The option "
+                  "--output of the program overrides it.",
+                  Patterns::DirectoryName());
     if (with_fields)
-      prm.declare_entry("Fields",
-                        "false",
-                        Patterns::Bool(),
-                        "Write the deformed cell and its stresses (VTU) at the "
-                        "end of every test.");
-    prm.declare_entry("Picture",
-                      "true",
-                      Patterns::Bool(),
-                      "Draw fit.svg, fit against test, with gnuplot.");
-    prm.leave_subsection();
+      add_parameter(prm,
+                    "Fields",
+                    fields,
+                    "Write the deformed cell and its stresses (VTU) at the "
+                    "end of every test.");
+    add_parameter(prm,
+                  "Picture",
+                  picture,
+                  "Draw fit.svg, fit against test, with gnuplot.");
   }
 
 
 
   void
-  MaterialOutputParameters::parse_parameters(dealii::ParameterHandler &prm,
-                                             const bool with_fields)
+  IdentificationRunParameters::add_parameters(dealii::ParameterHandler &prm)
   {
-    prm.enter_subsection("Output");
-    directory = prm.get("Directory");
-    if (with_fields)
-      fields = prm.get_bool("Fields");
-    picture = prm.get_bool("Picture");
-    prm.leave_subsection();
+    declare_problem(prm, "identification");
+    {
+      const ParameterSubsection subsection(prm, "Data");
+      add_parameter(prm,
+                    "Files",
+                    files,
+                    "Tables of tests (CSV with a header), separated by "
+                    "commas: columns H11 ... H33 [-] and P11 ... P33 "
+                    "[MPa], and optionally `test`, the name of the curve. "
+                    "Missing H are zero, missing P were not measured; "
+                    "direction 1 is the fiber's.",
+                    Patterns::List(Patterns::Anything(), 1));
+    }
+    identification.add_parameters(prm);
+    output.add_parameters(prm, false);
   }
 
 
@@ -88,20 +65,11 @@ namespace NPT
   IdentificationRunParameters::read(const ParameterText            &text,
                                     const std::vector<std::string> &overrides)
   {
-    dealii::ParameterHandler prm;
-    declare_identification(prm);
-    parse_parameter_text(prm, text, overrides);
-
     IdentificationRunParameters parameters;
-    prm.enter_subsection("Data");
-    parameters.files = split_string_list(prm.get("Files"), ',');
-    prm.leave_subsection();
-    parameters.identification.parse_parameters(prm);
-    parameters.output.parse_parameters(prm, false);
-
-    std::ostringstream used;
-    print_documented_parameters(prm, used);
-    parameters.used_file = used.str();
+    dealii::ParameterHandler    prm;
+    parameters.add_parameters(prm);
+    parse_parameter_text(prm, text, overrides);
+    parameters.used_file = documented_parameters(prm);
     return parameters;
   }
 
@@ -110,11 +78,7 @@ namespace NPT
   std::string
   IdentificationRunParameters::documented_defaults()
   {
-    dealii::ParameterHandler prm;
-    declare_identification(prm);
-    std::ostringstream out;
-    print_documented_parameters(prm, out);
-    return out.str();
+    return read({}).used_file;
   }
 
 

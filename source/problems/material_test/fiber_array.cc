@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Geometry of the micro cells.
+// Defines the geometry of the micro cells and their entries.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/problems/material_test/fiber_array.h>
@@ -7,7 +7,6 @@
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace NPT
@@ -19,8 +18,6 @@ namespace NPT
 
   namespace
   {
-    const double tiny = std::numeric_limits<double>::min();
-
     // Corner radius of the fiber's core over the fiber radius: core and shell
     // then have about equal thickness.
     constexpr double core_ratio = 0.55;
@@ -29,12 +26,6 @@ namespace NPT
     n_corners(const Packing packing)
     {
       return packing == Packing::square ? 4 : 6;
-    }
-
-    std::string
-    packing_name(const Packing packing)
-    {
-      return packing == Packing::square ? "square" : "hexagonal";
     }
 
     // Area of the polygon around a fiber, over the square of the spacing.
@@ -68,58 +59,54 @@ namespace NPT
 
 
 
-  void
-  MicroCellParameters::declare_parameters(dealii::ParameterHandler &prm)
+  template <>
+  const EnumNames<Packing> &
+  enum_names<Packing>()
   {
-    prm.enter_subsection("Micro cell");
-    {
-      prm.declare_entry("Packing",
-                        "square",
-                        Patterns::Selection("square|hexagonal"),
-                        "Lattice of the fibers in the plane of directions 2 "
-                        "and 3; fibers run along direction 1.");
-      prm.declare_entry("Volume fraction",
-                        "0.77",
-                        Patterns::Double(0.),
-                        "Volume fraction of the fibers [-], below pi/4 = "
-                        "0.7854 (square) or pi/(2 sqrt 3) = 0.9069 "
-                        "(hexagonal), where fibers touch. Not used if a fiber "
-                        "radius is given.");
-      prm.declare_entry("Fiber radius",
-                        "0",
-                        Patterns::Double(0.),
-                        "Radius R of the fibers [mm], smaller than half the "
-                        "spacing; 0 takes the radius that gives the volume "
-                        "fraction.");
-      prm.declare_entry("Fiber spacing",
-                        "1",
-                        Patterns::Double(tiny),
-                        "Distance s between the axes of neighboring fibers "
-                        "[mm]. Only R/s matters for the stresses.");
-      prm.declare_entry("Fibers",
-                        "1",
-                        Patterns::Selection("1|2|4"),
-                        "Fibers in the periodic cell. The smallest cell is "
-                        "enough as long as the deformation repeats from fiber "
-                        "to fiber; more serve to verify just that.");
-    }
-    prm.leave_subsection();
+    static const EnumNames<Packing> names = {{Packing::square, "square"},
+                                             {Packing::hexagonal, "hexagonal"}};
+    return names;
   }
 
 
 
   void
-  MicroCellParameters::parse_parameters(dealii::ParameterHandler &prm)
+  MicroCellParameters::add_parameters(dealii::ParameterHandler &prm)
   {
-    prm.enter_subsection("Micro cell");
-    packing =
-      prm.get("Packing") == "square" ? Packing::square : Packing::hexagonal;
-    volume_fraction = prm.get_double("Volume fraction");
-    fiber_radius    = prm.get_double("Fiber radius");
-    fiber_spacing   = prm.get_double("Fiber spacing");
-    n_fibers        = prm.get_integer("Fibers");
-    prm.leave_subsection();
-    check();
+    const ParameterSubsection subsection(prm, "Micro cell");
+    add_parameter(prm,
+                  "Packing",
+                  packing,
+                  "Lattice of the fibers in the plane of directions 2 "
+                  "and 3; fibers run along direction 1.");
+    add_parameter(prm,
+                  "Volume fraction",
+                  volume_fraction,
+                  "Volume fraction of the fibers [-], below pi/4 = "
+                  "0.7854 (square) or pi/(2 sqrt 3) = 0.9069 "
+                  "(hexagonal), where fibers touch. Not used if a fiber "
+                  "radius is given.",
+                  Patterns::Double(0.));
+    add_parameter(prm,
+                  "Fiber radius",
+                  fiber_radius,
+                  "Radius R of the fibers [mm], smaller than half the "
+                  "spacing; 0 takes the radius that gives the volume "
+                  "fraction.",
+                  Patterns::Double(0.));
+    add_parameter(prm,
+                  "Fiber spacing",
+                  fiber_spacing,
+                  "Distance s between the axes of neighboring fibers "
+                  "[mm]. Only R/s matters for the stresses.",
+                  positive_number());
+    add_parameter(prm,
+                  "Fibers",
+                  n_fibers,
+                  "Fibers in the periodic cell. The smallest cell is "
+                  "enough as long as the deformation repeats from fiber "
+                  "to fiber; more serve to verify just that.",
+                  Patterns::Selection("1|2|4"));
   }
 
 
@@ -147,7 +134,7 @@ namespace NPT
                   << "; it must be > 0 (subsection Micro cell).";
         else if (volume_fraction >= limit)
           message << "Volume fraction is " << volume_fraction
-                  << ", with which the fibers of a " << packing_name(packing)
+                  << ", with which the fibers of a " << name_of(packing)
                   << " array overlap; it must be smaller than " << limit
                   << (packing == Packing::square &&
                           volume_fraction <
@@ -165,70 +152,56 @@ namespace NPT
 
 
   void
-  MicroMeshParameters::declare_parameters(dealii::ParameterHandler &prm)
+  MicroMeshParameters::add_parameters(dealii::ParameterHandler &prm)
   {
-    const MicroMeshParameters defaults;
-    prm.enter_subsection("Micro mesh");
-    {
-      prm.declare_entry(
-        "Basis",
-        "NURBS",
-        Patterns::Selection("NURBS|Bernstein|Lagrange"),
-        "Functions of geometry and displacement: NURBS (exact circles, smooth "
-        "within a patch), Bernstein (the same patches cut to C0), Lagrange "
-        "(deal.II's FE_Q with nodes on the circles, as a cross-check).");
-      prm.declare_entry("Degree",
-                        std::to_string(defaults.degree),
-                        Patterns::Integer(2, 5),
-                        "Polynomial degree p in all directions [-].");
-      prm.declare_entry("Elements around",
-                        std::to_string(defaults.elements_around),
-                        Patterns::Integer(1, 100),
-                        "Knot spans around the fiber in each of the 4 (square) "
-                        "or 6 (hexagonal) sectors, dense where the fibers are "
-                        "near each other [-].");
-      prm.declare_entry("Elements in fiber",
-                        std::to_string(defaults.elements_fiber),
-                        Patterns::Integer(1, 100),
-                        "Knot spans from the core to the surface of the fiber "
-                        "[-].");
-      prm.declare_entry("Elements in matrix",
-                        std::to_string(defaults.elements_matrix),
-                        Patterns::Integer(1, 100),
-                        "Knot spans from the surface of the fiber to half the "
-                        "way to its neighbor [-].");
-      prm.declare_entry("Elements along",
-                        std::to_string(defaults.elements_along),
-                        Patterns::Integer(1, 100),
-                        "Knot spans along the fiber [-]. One is exact as long "
-                        "as the fiber does not buckle, since all sections are "
-                        "then alike.");
-      prm.declare_entry(
-        "Additional Gauss points",
-        std::to_string(defaults.additional_gauss_points),
-        Patterns::Integer(0, 10),
-        "Gauss points per direction beyond p + 1 [-]. The circles are "
-        "rational, so that no number of points is exact; on a mesh of 6 "
-        "elements around at 77 % the moduli are wrong by up to 1e-4 with 0, "
-        "2e-6 with 1 and 1e-9 with 2 additional points.");
-    }
-    prm.leave_subsection();
-  }
-
-
-
-  void
-  MicroMeshParameters::parse_parameters(dealii::ParameterHandler &prm)
-  {
-    prm.enter_subsection("Micro mesh");
-    basis                   = basis_from_name(prm.get("Basis"));
-    degree                  = prm.get_integer("Degree");
-    elements_around         = prm.get_integer("Elements around");
-    elements_fiber          = prm.get_integer("Elements in fiber");
-    elements_matrix         = prm.get_integer("Elements in matrix");
-    elements_along          = prm.get_integer("Elements along");
-    additional_gauss_points = prm.get_integer("Additional Gauss points");
-    prm.leave_subsection();
+    const ParameterSubsection subsection(prm, "Micro mesh");
+    add_parameter(
+      prm,
+      "Basis",
+      basis,
+      "Functions of geometry and displacement: NURBS (exact circles, smooth "
+      "within a patch), Bernstein (the same patches cut to C0), Lagrange "
+      "(deal.II's FE_Q with nodes on the circles, as a cross-check).");
+    add_parameter(prm,
+                  "Degree",
+                  degree,
+                  "Polynomial degree p in all directions [-].",
+                  Patterns::Integer(2, 5));
+    add_parameter(prm,
+                  "Elements around",
+                  elements_around,
+                  "Knot spans around the fiber in each of the 4 (square) "
+                  "or 6 (hexagonal) sectors, dense where the fibers are "
+                  "near each other [-].",
+                  Patterns::Integer(1, 100));
+    add_parameter(prm,
+                  "Elements in fiber",
+                  elements_fiber,
+                  "Knot spans from the core to the surface of the fiber "
+                  "[-].",
+                  Patterns::Integer(1, 100));
+    add_parameter(prm,
+                  "Elements in matrix",
+                  elements_matrix,
+                  "Knot spans from the surface of the fiber to half the "
+                  "way to its neighbor [-].",
+                  Patterns::Integer(1, 100));
+    add_parameter(prm,
+                  "Elements along",
+                  elements_along,
+                  "Knot spans along the fiber [-]. One is exact as long "
+                  "as the fiber does not buckle, since all sections are "
+                  "then alike.",
+                  Patterns::Integer(1, 100));
+    add_parameter(
+      prm,
+      "Additional Gauss points",
+      additional_gauss_points,
+      "Gauss points per direction beyond p + 1 [-]. The circles are "
+      "rational, so that no number of points is exact; on a mesh of 6 "
+      "elements around at 77 % the moduli are wrong by up to 1e-4 with 0, "
+      "2e-6 with 1 and 1e-9 with 2 additional points.",
+      Patterns::Integer(0, 10));
   }
 
 
@@ -276,115 +249,179 @@ namespace NPT
 
 
 
+  namespace
+  {
+    // The patches of one polygon and its fiber.
+    class PolygonMaker
+    {
+    public:
+      PolygonMaker(const MicroCellParameters &cell,
+                   const MicroMeshParameters &mesh,
+                   const Tensor<1, 3>        &center,
+                   const Tensor<1, 3>        &period_along)
+        : mesh_(mesh)
+        , center_(center)
+        , period_along_(period_along)
+        , n_(n_corners(cell.packing))
+        , half_(PI / n_)
+        , R_(cell.fiber_radius)
+        , side_(0.5 * cell.fiber_spacing)
+        , weight_(std::cos(half_))
+      {
+        const double critical = std::sqrt(2. * (side_ - R_) / R_);
+        const double beta     = std::asinh(half_ / critical);
+        around_               = graded_knots(mesh.elements_around, beta);
+      }
+
+      // Matrix and fiber between the sides of the polygon and the core, sector
+      // by sector, then the core.
+      void
+      make()
+      {
+        for (unsigned int i = 0; i < n_; ++i)
+          add_sector(i);
+        const double r = core_ratio * R_;
+        if (n_ == 4)
+          add_core(corner(r, 2), corner(r, 3), corner(r, 0), corner(r, 1));
+        else
+          for (unsigned int i = 0; i < n_; i += 2)
+            add_core(in_plane(0., 0.),
+                     corner(r, i),
+                     corner(r, i + 1),
+                     corner(r, i + 2));
+      }
+
+      std::vector<NURBSPatch<3>> patches;
+      std::vector<bool>          is_fiber;
+
+    private:
+      Point<3>
+      in_plane(const double radius, const double angle) const
+      {
+        Point<3> P;
+        P[1] = center_[1] + radius * std::cos(angle);
+        P[2] = center_[2] + radius * std::sin(angle);
+        return P;
+      }
+
+      Point<3>
+      corner(const double radius, const unsigned int i) const
+      {
+        return in_plane(radius, (2. * i + 1.) * half_);
+      }
+
+      static Point<3>
+      middle(const Point<3> &P, const Point<3> &Q)
+      {
+        return Point<3>(0.5 * (P + Q));
+      }
+
+      static std::vector<double>
+      even(const unsigned int parts)
+      {
+        return graded_knots(parts, 1e-6);
+      }
+
+      // A patch from its section (m x 3 control points, the first direction
+      // fastest) extruded along the fiber, then elevated and refined. All
+      // patches refine their common edges by the same knots.
+      void
+      add(const std::vector<Point<3>> &section,
+          const std::vector<double>   &section_weights,
+          const std::vector<double>   &first,
+          const std::vector<double>   &second,
+          const bool                   fiber)
+      {
+        const unsigned int    m = section.size() / 3;
+        std::vector<Point<3>> points;
+        std::vector<double>   weights;
+        for (unsigned int k = 0; k < section.size(); ++k)
+          for (unsigned int end = 0; end < 2; ++end)
+            {
+              points.push_back(section[k] +
+                               static_cast<double>(end) * period_along_);
+              weights.push_back(section_weights[k]);
+            }
+        NURBSPatch<3> patch({{KnotVector::uniform(1, 1),
+                              KnotVector::uniform(m - 1, 1),
+                              KnotVector::uniform(2, 1)}},
+                            points,
+                            weights);
+        for (unsigned int d = 0; d < 3; ++d)
+          patch.elevate_degree(d, mesh_.degree - patch.knot_vector(d).degree());
+        patch.subdivide(0, mesh_.elements_along);
+        patch.insert_knots(1, first);
+        patch.insert_knots(2, second);
+        patches.push_back(patch);
+        is_fiber.push_back(fiber);
+      }
+
+      void
+      add_sector(const unsigned int i)
+      {
+        const Point<3> arc0 = corner(R_, i), arc2 = corner(R_, i + 1),
+                       arc1   = in_plane(R_ / weight_, (2. * i + 2.) * half_);
+        const Point<3> outer0 = corner(side_ / weight_, i),
+                       outer2 = corner(side_ / weight_, i + 1);
+        const Point<3> core0  = corner(core_ratio * R_, i),
+                       core2  = corner(core_ratio * R_, i + 1);
+        add({arc0, outer0, arc1, middle(outer0, outer2), arc2, outer2},
+            {1., 1., weight_, 1., 1., 1.},
+            even(mesh_.elements_matrix),
+            around_,
+            false);
+        add({core0, arc0, middle(core0, core2), arc1, core2, arc2},
+            {1., 1., 1., weight_, 1., 1.},
+            even(mesh_.elements_fiber),
+            around_,
+            true);
+      }
+
+      // A parallelogram with the corners c0, c1, c2 = c1 + c3 - c0, c3.
+      void
+      add_core(const Point<3> &c0,
+               const Point<3> &c1,
+               const Point<3> &c2,
+               const Point<3> &c3)
+      {
+        const Point<3> bottom = middle(c0, c1), top = middle(c3, c2);
+        add({c0,
+             bottom,
+             c1,
+             middle(c0, c3),
+             middle(bottom, top),
+             middle(c1, c2),
+             c3,
+             top,
+             c2},
+            std::vector<double>(9, 1.),
+            around_,
+            around_,
+            true);
+      }
+
+      const MicroMeshParameters &mesh_;
+      const Tensor<1, 3>         center_, period_along_;
+      const unsigned int         n_;
+      const double               half_; // half the angle of a sector
+      const double               R_, side_, weight_;
+      std::vector<double>        around_;
+    };
+  } // namespace
+
+
+
   void
   FiberArray::add_polygon(const Tensor<1, 3>        &center,
                           const MicroMeshParameters &mesh)
   {
-    const unsigned int n        = n_corners(parameters_.packing);
-    const double       half     = PI / n; // half the angle of a sector
-    const double       R        = parameters_.fiber_radius;
-    const double       side     = 0.5 * parameters_.fiber_spacing;
-    const double       weight   = std::cos(half);
-    const double       critical = std::sqrt(2. * (side - R) / R);
-    const double       beta     = std::asinh(half / critical);
-    const auto         around   = graded_knots(mesh.elements_around, beta);
-
-    const auto in_plane = [&](const double radius, const double angle) {
-      Point<3> P;
-      P[1] = center[1] + radius * std::cos(angle);
-      P[2] = center[2] + radius * std::sin(angle);
-      return P;
-    };
-    const auto middle = [](const Point<3> &P, const Point<3> &Q) {
-      return Point<3>(0.5 * (P + Q));
-    };
-
-    // A patch from its section (m x 3 control points, the first direction
-    // fastest) extruded along the fiber, then elevated and refined. All
-    // patches refine their common edges by the same knots.
-    const auto add = [&](const std::vector<Point<3>> &section,
-                         const std::vector<double>   &section_weights,
-                         const std::vector<double>   &first,
-                         const std::vector<double>   &second,
-                         const bool                   fiber) {
-      const unsigned int    m = section.size() / 3;
-      std::vector<Point<3>> points;
-      std::vector<double>   weights;
-      for (unsigned int k = 0; k < section.size(); ++k)
-        for (unsigned int end = 0; end < 2; ++end)
-          {
-            points.push_back(section[k] +
-                             static_cast<double>(end) * periods_[0]);
-            weights.push_back(section_weights[k]);
-          }
-      NURBSPatch<3> patch({{KnotVector::uniform(1, 1),
-                            KnotVector::uniform(m - 1, 1),
-                            KnotVector::uniform(2, 1)}},
-                          points,
-                          weights);
-      for (unsigned int d = 0; d < 3; ++d)
-        patch.elevate_degree(d, mesh.degree - patch.knot_vector(d).degree());
-      patch.subdivide(0, mesh.elements_along);
-      patch.insert_knots(1, first);
-      patch.insert_knots(2, second);
-      patches_.push_back(patch);
-      is_fiber_.push_back(fiber);
-    };
-    const auto even = [](const unsigned int parts) {
-      return graded_knots(parts, 1e-6);
-    };
-
-    const auto corner = [&](const double radius, const unsigned int i) {
-      return in_plane(radius, (2. * i + 1.) * half);
-    };
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        const Point<3> arc0 = corner(R, i), arc2 = corner(R, i + 1),
-                       arc1   = in_plane(R / weight, (2. * i + 2.) * half);
-        const Point<3> outer0 = corner(side / weight, i),
-                       outer2 = corner(side / weight, i + 1);
-        const Point<3> core0  = corner(core_ratio * R, i),
-                       core2  = corner(core_ratio * R, i + 1);
-        add({arc0, outer0, arc1, middle(outer0, outer2), arc2, outer2},
-            {1., 1., weight, 1., 1., 1.},
-            even(mesh.elements_matrix),
-            around,
-            false);
-        add({core0, arc0, middle(core0, core2), arc1, core2, arc2},
-            {1., 1., 1., weight, 1., 1.},
-            even(mesh.elements_fiber),
-            around,
-            true);
-      }
-
-    // The core: parallelograms with the corners c0, c1, c2 = c1 + c3 - c0, c3.
-    const auto add_core = [&](const Point<3> &c0,
-                              const Point<3> &c1,
-                              const Point<3> &c2,
-                              const Point<3> &c3) {
-      const Point<3> bottom = middle(c0, c1), top = middle(c3, c2);
-      add({c0,
-           bottom,
-           c1,
-           middle(c0, c3),
-           middle(bottom, top),
-           middle(c1, c2),
-           c3,
-           top,
-           c2},
-          std::vector<double>(9, 1.),
-          around,
-          around,
-          true);
-    };
-    const double r = core_ratio * R;
-    if (n == 4)
-      add_core(corner(r, 2), corner(r, 3), corner(r, 0), corner(r, 1));
-    else
-      for (unsigned int i = 0; i < 6; i += 2)
-        add_core(in_plane(0., 0.),
-                 corner(r, i),
-                 corner(r, i + 1),
-                 corner(r, i + 2));
+    PolygonMaker polygon(parameters_, mesh, center, periods_[0]);
+    polygon.make();
+    patches_.insert(patches_.end(),
+                    polygon.patches.begin(),
+                    polygon.patches.end());
+    is_fiber_.insert(is_fiber_.end(),
+                     polygon.is_fiber.begin(),
+                     polygon.is_fiber.end());
   }
 } // namespace NPT

@@ -189,15 +189,16 @@ namespace NPT
               short_number(-S(2, 1) / S(1, 1), 5) + ", (C22 - C23)/2 = " +
               short_number(0.5 * (stiffness_(1, 1) - stiffness_(1, 2)), 5) +
               " MPa");
-    if (parameters_.fiber.law == MaterialParameters::Law::neo_hookean &&
-        parameters_.matrix.law == MaterialParameters::Law::neo_hookean)
+    const auto *fiber  = parameters_.fiber.selected<NeoHookeanParameters>();
+    const auto *matrix = parameters_.matrix.selected<NeoHookeanParameters>();
+    if (fiber && matrix)
       {
         const CompositeBounds b =
           unidirectional_bounds(parameters_.cell.volume_fraction,
-                                parameters_.fiber.young_modulus,
-                                parameters_.fiber.poisson_ratio,
-                                parameters_.matrix.young_modulus,
-                                parameters_.matrix.poisson_ratio);
+                                fiber->young_modulus,
+                                fiber->poisson_ratio,
+                                matrix->young_modulus,
+                                matrix->poisson_ratio);
         const auto interval = [](const Interval &i) {
           return "[" + short_number(i.lower, 5) + ", " +
                  short_number(i.upper, 5) + "]";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Finding loops in values and putting values in their places.
+// Defines how loops are found in values and replaced by them.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/message_words.h>
@@ -23,15 +23,6 @@ namespace NPT
     {
       return text.size() >= end.size() &&
              text.compare(text.size() - end.size(), end.size(), end) == 0;
-    }
-
-    // An override stands in the text with its own words instead of a file.
-    std::string
-    place(const ParameterText::Statement &statement)
-    {
-      return statement.line == 0 ?
-               statement.file + ": " :
-               statement.file + ":" + std::to_string(statement.line) + ": ";
     }
   } // namespace
 
@@ -80,6 +71,30 @@ namespace NPT
   ParameterLoops::ParameterLoops(const ParameterText &text)
     : text_(text)
   {
+    const std::vector<std::string> places = find_loops();
+    name_loops();
+
+    unsigned int n_combinations = 1;
+    for (ParameterLoop &loop : loops_)
+      if (!loop.is_array)
+        {
+          loop.axis = axis_sizes_.size();
+          axis_sizes_.push_back(loop.values.size());
+          n_combinations *= loop.values.size();
+        }
+    if (axis_sizes_.empty())
+      join_arrays(places);
+    else
+      for (unsigned int l = 0; l < loops_.size(); ++l)
+        if (loops_[l].is_array)
+          loops_[l].axis = axis_of_array(l, n_combinations, places[l]);
+  }
+
+
+
+  std::vector<std::string>
+  ParameterLoops::find_loops()
+  {
     // The last value of an entry counts, at the place where it stands.
     std::map<std::string, const ParameterText::Statement *> last;
     visit_entries(text_,
@@ -94,7 +109,8 @@ namespace NPT
                     if (last[path] != &statement)
                       return;
                     const auto [values, is_array] =
-                      split_loop(statement.value, place(statement));
+                      split_loop(statement.value,
+                                 at_line(statement.file, statement.line));
                     if (statement.value.find('{') == std::string::npos)
                       return;
                     ParameterLoop loop;
@@ -102,10 +118,17 @@ namespace NPT
                     loop.values   = values;
                     loop.is_array = is_array;
                     loops_.push_back(loop);
-                    places.push_back(place(statement));
+                    places.push_back(at_line(statement.file, statement.line));
                   });
+    return places;
+  }
 
-    // Names: as much of the path as it takes to tell loops apart.
+
+
+  // As much of the path as it takes to tell loops apart.
+  void
+  ParameterLoops::name_loops()
+  {
     for (ParameterLoop &loop : loops_)
       {
         const auto parts = dealii::Utilities::split_string_list(loop.path, '/');
@@ -121,61 +144,57 @@ namespace NPT
               break;
           }
       }
+  }
 
-    unsigned int n_variants = 0, n_combinations = 1;
-    for (ParameterLoop &loop : loops_)
-      if (!loop.is_array)
-        {
-          loop.axis = n_variants++;
-          axis_sizes_.push_back(loop.values.size());
-          n_combinations *= loop.values.size();
-        }
 
+
+  // Arrays alone make one axis.
+  void
+  ParameterLoops::join_arrays(const std::vector<std::string> &places)
+  {
     for (unsigned int l = 0; l < loops_.size(); ++l)
       {
-        ParameterLoop &loop = loops_[l];
-        if (!loop.is_array)
-          continue;
-        const unsigned int n = loop.values.size();
-        if (n_variants == 0)
-          {
-            // Arrays alone make one axis.
-            if (axis_sizes_.empty())
-              axis_sizes_.push_back(n);
-            if (n != axis_sizes_[0])
-              throw InputError(
-                places[l] + "the array of '" + loop.path + "' has " +
-                std::to_string(n) + " values, another array of this file has " +
-                std::to_string(axis_sizes_[0]) +
-                "; arrays go along with each other and need equal lengths");
-            loop.axis = 0;
-            continue;
-          }
-
-        int partner = -1;
-        for (unsigned int k = 0; k < loops_.size(); ++k)
-          if (!loops_[k].is_array && loops_[k].values.size() == n &&
-              (partner < 0 || k < l))
-            partner = k;
-        if (partner >= 0)
-          loop.axis = loops_[partner].axis;
-        else if (n == n_combinations)
-          loop.axis = by_number;
-        else
-          {
-            std::string lengths;
-            for (const ParameterLoop &other : loops_)
-              if (!other.is_array)
-                lengths += (lengths.empty() ? "" : ", ") + other.name + ": " +
-                           std::to_string(other.values.size());
-            throw InputError(
-              places[l] + "the array of '" + loop.path + "' has " +
-              std::to_string(n) +
-              " values; it needs as many as a loop that it can go along with (" +
-              lengths + ") or as there are cases (" +
-              std::to_string(n_combinations) + ")");
-          }
+        const unsigned int n = loops_[l].values.size();
+        if (axis_sizes_.empty())
+          axis_sizes_.push_back(n);
+        if (n != axis_sizes_[0])
+          throw InputError(
+            places[l] + "the array of '" + loops_[l].path + "' has " +
+            std::to_string(n) + " values, another array of this file has " +
+            std::to_string(axis_sizes_[0]) +
+            "; arrays go along with each other and need equal lengths");
+        loops_[l].axis = 0;
       }
+  }
+
+
+
+  unsigned int
+  ParameterLoops::axis_of_array(const unsigned int l,
+                                const unsigned int n_combinations,
+                                const std::string &where) const
+  {
+    const unsigned int n       = loops_[l].values.size();
+    int                partner = -1;
+    for (unsigned int k = 0; k < loops_.size(); ++k)
+      if (!loops_[k].is_array && loops_[k].values.size() == n &&
+          (partner < 0 || k < l))
+        partner = k;
+    if (partner >= 0)
+      return loops_[partner].axis;
+    if (n == n_combinations)
+      return by_number;
+
+    std::string lengths;
+    for (const ParameterLoop &other : loops_)
+      if (!other.is_array)
+        lengths += (lengths.empty() ? "" : ", ") + other.name + ": " +
+                   std::to_string(other.values.size());
+    throw InputError(
+      where + "the array of '" + loops_[l].path + "' has " + std::to_string(n) +
+      " values; it needs as many as a loop that it can go along with (" +
+      lengths + ") or as there are cases (" + std::to_string(n_combinations) +
+      ")");
   }
 
 

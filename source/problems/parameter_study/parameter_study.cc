@@ -45,7 +45,7 @@ namespace NPT
     x_column(const StudyParameters &study, const Details &details)
     {
       return study.x_column.empty() ?
-               "H" + std::to_string(details.component + 1) :
+               MacroModes::table[details.component].name :
                study.x_column;
     }
 
@@ -53,8 +53,8 @@ namespace NPT
     y_columns(const StudyParameters &study, const Details &details)
     {
       return study.y_columns.empty() ?
-               std::vector<std::string>{"n" +
-                                        std::to_string(details.component + 1)} :
+               std::vector<std::string>{
+                 MacroModes::table[details.component].conjugate} :
                study.y_columns;
     }
 
@@ -193,6 +193,70 @@ namespace NPT
 
 
 
+    // What makes a method: given, or all loops over words.
+    std::set<unsigned int>
+    series_axes(const StudyParameters        &study,
+                const std::set<unsigned int> &of_bases)
+    {
+      if (study.series.size() != 1 || study.series[0] != "automatic")
+        return axes_of(study, study.series);
+      std::set<unsigned int> series;
+      for (const ParameterLoop &loop : study.loops->loops())
+        if (of_bases.count(loop.axis) == 0 &&
+            !std::all_of(loop.values.begin(), loop.values.end(), is_number))
+          series.insert(loop.axis);
+      return series;
+    }
+
+    StudyCurve
+    curve_of_case(const StudyParameters &study,
+                  const Details         &details,
+                  const std::string     &directory,
+                  const SweepCase       &c)
+    {
+      return stage_curve(curve_of(directory, c),
+                         study.stage.empty() ? details.last_stage : study.stage,
+                         x_column(study, details),
+                         y_columns(study, details)[0]);
+    }
+
+    // A group of cases and the finest of its references.
+    std::pair<WorkGroup, StudyCurve>
+    make_group(const StudyParameters        &study,
+               const unsigned int            g,
+               const std::vector<SweepCase> &references,
+               const std::string            &directory)
+    {
+      unsigned int i = 0;
+      while (study.details[i].group != g)
+        ++i;
+      const Details          &details = study.details[i];
+      std::vector<StudyCurve> curves;
+      for (const SweepCase &c : references)
+        {
+          if (c.result.status != "done")
+            throw StageFailed("The reference of " + study.group_names[g] +
+                              ", " + c.folder + ", did not come to its end (" +
+                              c.result.reason +
+                              "), so that there is nothing to compare with. "
+                              "Make it easier to solve in subsection "
+                              "Reference: " +
+                              c.result.message);
+          curves.push_back(curve_of_case(study, details, directory, c));
+        }
+      WorkGroup group;
+      group.name = study.group_names[g];
+      group.quantity =
+        y_columns(study, details)[0] + "(" + x_column(study, details) + ")";
+      group.reference_error =
+        curves.size() < 2 ?
+          std::numeric_limits<double>::quiet_NaN() :
+          compare_curves(curves[curves.size() - 2], curves.back()).l2;
+      group.reference_cpu    = references.back().result.cpu_seconds;
+      group.reference_folder = references.back().folder;
+      return {group, curves.back()};
+    }
+
     std::string
     finish_work_precision(const StudyParameters                     &study,
                           const std::vector<SweepCase>              &cases,
@@ -204,80 +268,35 @@ namespace NPT
       for (const ParameterLoop &loop : loops.loops())
         if (loop.path == base_entry)
           of_bases.insert(loop.axis);
-
-      // What makes a method: given, or all loops over words.
-      std::set<unsigned int> series;
-      if (study.series.size() == 1 && study.series[0] == "automatic")
-        {
-          for (const ParameterLoop &loop : loops.loops())
-            if (of_bases.count(loop.axis) == 0 &&
-                !std::all_of(loop.values.begin(), loop.values.end(), is_number))
-              series.insert(loop.axis);
-        }
-      else
-        series = axes_of(study, study.series);
+      const std::set<unsigned int> series = series_axes(study, of_bases);
 
       std::vector<WorkGroup>  groups;
       std::vector<StudyCurve> finest;
       for (unsigned int g = 0; g < references.size(); ++g)
         {
-          unsigned int i = 0;
-          while (study.details[i].group != g)
-            ++i;
-          const Details    &details = study.details[i];
-          const std::string x       = x_column(study, details),
-                            y       = y_columns(study, details)[0],
-                            stage   = study.stage.empty() ? details.last_stage :
-                                                            study.stage;
-          std::vector<StudyCurve> curves;
-          for (const SweepCase &c : references[g])
-            {
-              if (c.result.status != "done")
-                throw StageFailed(
-                  "The reference of " + study.group_names[g] + ", " + c.folder +
-                  ", did not come to its end (" + c.result.reason +
-                  "), so that there is nothing to compare with. "
-                  "Make it easier to solve in subsection "
-                  "Reference: " +
-                  c.result.message);
-              curves.push_back(
-                stage_curve(curve_of(directory, c), stage, x, y));
-            }
-          WorkGroup group;
-          group.name     = study.group_names[g];
-          group.quantity = y + "(" + x + ")";
-          group.reference_error =
-            curves.size() < 2 ?
-              std::numeric_limits<double>::quiet_NaN() :
-              compare_curves(curves[curves.size() - 2], curves.back()).l2;
-          group.reference_cpu    = references[g].back().result.cpu_seconds;
-          group.reference_folder = references[g].back().folder;
+          const auto [group, curve] =
+            make_group(study, g, references[g], directory);
           groups.push_back(group);
-          finest.push_back(curves.back());
+          finest.push_back(curve);
         }
 
       std::vector<WorkPoint> points;
       for (unsigned int i = 0; i < cases.size(); ++i)
         {
-          const Details &details = study.details[i];
-          WorkPoint      point;
+          const RunSummary &result  = cases[i].result;
+          const Details    &details = study.details[i];
+          WorkPoint         point;
           point.group  = details.group;
           point.series = describe_axes(loops, series, i, true);
           point.setting =
             describe_axes(loops, all_other_axes(study, of_bases), i);
-          point.folder = cases[i].folder;
-          point.status =
-            cases[i].result.status == "done" ? "done" : cases[i].result.reason;
-          point.complete = cases[i].result.status == "done";
-          point.cpu      = cases[i].result.cpu_seconds;
+          point.folder   = cases[i].folder;
+          point.complete = result.status == "done";
+          point.status   = point.complete ? "done" : result.reason;
+          point.cpu      = result.cpu_seconds;
           if (point.complete)
             point.error =
-              compare_curves(stage_curve(curve_of(directory, cases[i]),
-                                         study.stage.empty() ?
-                                           details.last_stage :
-                                           study.stage,
-                                         x_column(study, details),
-                                         y_columns(study, details)[0]),
+              compare_curves(curve_of_case(study, details, directory, cases[i]),
                              finest[details.group]);
           points.push_back(point);
         }
@@ -340,9 +359,9 @@ namespace NPT
         c = *next++;
     const std::vector<SweepCase> cases(all.begin() + n_references, all.end());
     const std::string            warning =
-      study.kind == "sweep" ?
+      study.kind == StudyParameters::Kind::sweep ?
                    finish_sweep(study, cases, directory) :
-                 study.kind == "stability map" ?
+                 study.kind == StudyParameters::Kind::stability_map ?
                    finish_map(study, cases, directory) :
                    finish_work_precision(study, cases, references, directory);
     if (!warning.empty())

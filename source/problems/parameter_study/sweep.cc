@@ -25,6 +25,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <ostream>
 #include <set>
@@ -73,6 +74,13 @@ namespace NPT
     {
       return dealii::Utilities::MPI::job_supports_mpi() &&
              dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
+    }
+
+    bool
+    is_first_process()
+    {
+      return !is_parallel() ||
+             dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     }
 
     // The first process decides, all others learn it.
@@ -197,7 +205,57 @@ namespace NPT
       return text == nullptr ? "signal " + std::to_string(signal) : text;
     }
 
-    // What remains of a run says how it ended.
+    // What a run wrote about itself or, if it did not come to its end, what its
+    // curve says.
+    RunSummary
+    what_remains(const fs::path &folder)
+    {
+      try
+        {
+          return read_run_summary((folder / "summary.csv").string());
+        }
+      catch (const InputError &)
+        {
+          // The curve, if the run got so far, is complete up to its last
+          // accepted step.
+        }
+      const fs::path curve = folder / "curves.csv";
+      try
+        {
+          if (fs::exists(curve))
+            return summarize_curve(read_curves(curve.string()));
+        }
+      catch (const InputError &)
+        {
+          // Damaged; how the process ended is said elsewhere.
+        }
+      return {};
+    }
+
+    // The error message of a run in one line.
+    std::string
+    last_words(const fs::path &folder)
+    {
+      std::string said = read_text(folder / "error.txt");
+      std::replace(said.begin(), said.end(), '\n', ' ');
+      const std::string prefix = "npt_dealii: ";
+      if (said.compare(0, prefix.size(), prefix) == 0)
+        said.erase(0, prefix.size());
+      return said;
+    }
+
+    void
+    set_end(RunSummary        &summary,
+            const std::string &status,
+            const std::string &reason,
+            const std::string &message)
+    {
+      summary.status  = status;
+      summary.reason  = reason;
+      summary.message = message;
+    }
+
+    // How a run ended, by its exit status and by what it left.
     RunSummary
     judge_run(const fs::path     &folder,
               const int           status,
@@ -205,33 +263,9 @@ namespace NPT
               const double        cpu_seconds,
               const SweepOptions &options)
     {
-      RunSummary summary;
-      try
-        {
-          summary = read_run_summary((folder / "summary.csv").string());
-        }
-      catch (const InputError &)
-        {
-          // The run did not come to its end; the curve, if it got so far, is
-          // complete up to its last accepted step.
-          const fs::path curve = folder / "curves.csv";
-          try
-            {
-              if (fs::exists(curve))
-                summary = summarize_curve(read_curves(curve.string()));
-            }
-          catch (const InputError &)
-            {
-              // Damaged; how the process ended is said below.
-            }
-        }
-      summary.cpu_seconds = cpu_seconds;
-
-      std::string said = read_text(folder / "error.txt");
-      std::replace(said.begin(), said.end(), '\n', ' ');
-      const std::string prefix = "npt_dealii: ";
-      if (said.compare(0, prefix.size(), prefix) == 0)
-        said.erase(0, prefix.size());
+      RunSummary summary     = what_remains(folder);
+      summary.cpu_seconds    = cpu_seconds;
+      const std::string said = last_words(folder);
 
       if (wall_limit_hit ||
           (WIFSIGNALED(status) && options.cpu_limit > 0 &&
@@ -241,16 +275,10 @@ namespace NPT
           std::ostringstream message;
           message << "Ended after " << options.cpu_limit
                   << " s, the CPU limit of a case.";
-          summary.status  = "time limit";
-          summary.reason  = "time limit";
-          summary.message = message.str();
+          set_end(summary, "time limit", "time limit", message.str());
         }
       else if (WIFSIGNALED(status))
-        {
-          summary.status  = "crashed";
-          summary.reason  = signal_name(WTERMSIG(status));
-          summary.message = said;
-        }
+        set_end(summary, "crashed", signal_name(WTERMSIG(status)), said);
       else
         switch (WEXITSTATUS(status))
           {
@@ -265,19 +293,16 @@ namespace NPT
                 summary.message = said;
               break;
             case 2:
-              summary.status  = "refused";
-              summary.reason  = "input";
-              summary.message = said;
+              set_end(summary, "refused", "input", said);
               break;
             case exec_failed:
-              summary.status  = "crashed";
-              summary.reason  = "not started";
-              summary.message = options.program + " cannot be started.";
+              set_end(summary,
+                      "crashed",
+                      "not started",
+                      options.program + " cannot be started.");
               break;
             default:
-              summary.status  = "crashed";
-              summary.reason  = "unexpected error";
-              summary.message = said;
+              set_end(summary, "crashed", "unexpected error", said);
           }
       return summary;
     }
@@ -347,81 +372,236 @@ namespace NPT
 
 
 
-  void
-  run_cases(std::vector<SweepCase> &cases,
-            const SweepOptions     &options,
-            std::ostream           &log)
+  namespace
   {
-    const fs::path study = options.directory;
-    const bool     first =
-      !is_parallel() ||
-      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-
-    // ---- The first process gives every case its folder.
-    std::vector<std::string> folders, to_run;
-    if (first)
+    // Folders of the cases in a study, by their parameters.
+    class CaseFolders
+    {
+    public:
+      CaseFolders(const fs::path &study, const SweepOptions &options)
+        : study_(study)
+        , options_(options)
       {
-        std::map<std::string, std::string> folder_of; // parameters -> folder
-        unsigned int                       last_number = 0;
         fs::create_directories(study / "cases");
         std::set<std::string> names;
         for (const auto &entry : fs::directory_iterator(study / "cases"))
           names.insert(entry.path().filename().string());
         for (const std::string &name : names)
+          add(name);
+      }
+
+      // The folder of a case; made if there is none.
+      std::string
+      folder_of(const SweepCase &c)
+      {
+        std::string &folder = folder_of_[without_comments(c.parameters)];
+        if (folder.empty())
           {
-            const fs::path folder = study / "cases" / name;
-            fs::remove(folder / "claim"); // of an interrupted study
-            last_number =
-              std::max<unsigned int>(last_number,
-                                     std::strtoul(name.c_str(), nullptr, 10));
-            if (!fs::exists(folder / "case.prm"))
-              continue;
-            // Of several folders with the same parameters the first with a
-            // result.
-            const auto known = folder_of.emplace(without_comments(read_text(
-                                                   folder / "case.prm")),
-                                                 "cases/" + name);
-            if (!known.second &&
-                !has_worthy_result(study / known.first->second, options) &&
-                has_worthy_result(folder, options))
-              known.first->second = "cases/" + name;
+            std::string number = std::to_string(++last_number_);
+            number.insert(0, 4 - std::min<std::size_t>(4, number.size()), '0');
+            folder = "cases/" + number;
+            fs::create_directories(study_ / folder);
+            replace_file((study_ / folder / "case.prm").string(),
+                         [&](std::ostream &out) { out << c.parameters; });
           }
-        std::set<std::string> seen;
-        for (SweepCase &c : cases)
+        return folder;
+      }
+
+    private:
+      // A folder of an earlier run.
+      void
+      add(const std::string &name)
+      {
+        const fs::path folder = study_ / "cases" / name;
+        fs::remove(folder / "claim"); // of an interrupted study
+        last_number_ =
+          std::max<unsigned int>(last_number_,
+                                 std::strtoul(name.c_str(), nullptr, 10));
+        if (!fs::exists(folder / "case.prm"))
+          return;
+        // Of several folders with the same parameters the first with a result.
+        const auto known =
+          folder_of_.emplace(without_comments(read_text(folder / "case.prm")),
+                             "cases/" + name);
+        if (!known.second &&
+            !has_worthy_result(study_ / known.first->second, options_) &&
+            has_worthy_result(folder, options_))
+          known.first->second = "cases/" + name;
+      }
+
+      const fs::path                     study_;
+      const SweepOptions                &options_;
+      std::map<std::string, std::string> folder_of_; // parameters -> folder
+      unsigned int                       last_number_ = 0;
+    };
+
+
+
+    // Gives every case its folder and says which of them are to be run. The
+    // first process decides.
+    std::vector<std::string>
+    assign_folders(std::vector<SweepCase> &cases, const SweepOptions &options)
+    {
+      const fs::path           study = options.directory;
+      std::vector<std::string> folders, to_run;
+      if (is_first_process())
+        {
+          CaseFolders           known(study, options);
+          std::set<std::string> seen;
+          for (const SweepCase &c : cases)
+            {
+              const std::string folder = known.folder_of(c);
+              folders.push_back(folder);
+              if (seen.insert(folder).second &&
+                  !has_worthy_result(study / folder, options))
+                {
+                  clean_folder(study / folder);
+                  to_run.push_back(folder);
+                }
+            }
+        }
+      folders = broadcast_lines(folders);
+      to_run  = broadcast_lines(to_run);
+      AssertDimension(folders.size(), cases.size());
+      for (std::size_t i = 0; i < cases.size(); ++i)
+        cases[i].folder = folders[i];
+      return to_run;
+    }
+
+
+
+    // The processes of a study: starts those of its cases while there is room,
+    // and looks for those that have ended.
+    class RunningCases
+    {
+    public:
+      RunningCases(const std::vector<SweepCase>   &cases,
+                   const std::vector<std::string> &to_run,
+                   const SweepOptions             &options,
+                   const unsigned int              n_slots,
+                   std::ostream                   &log)
+        : study_(options.directory)
+        , to_run_(to_run)
+        , options_(options)
+        , n_slots_(n_slots)
+        , log_(log)
+      {
+        for (const SweepCase &c : cases)
+          description_[c.folder] = describe_case(c);
+      }
+
+      void
+      run_all()
+      {
+        while (next_ < to_run_.size() || !running_.empty())
           {
-            std::string &folder = folder_of[without_comments(c.parameters)];
-            if (folder.empty())
-              {
-                std::string number = std::to_string(++last_number);
-                number.insert(0,
-                              4 - std::min<std::size_t>(4, number.size()),
-                              '0');
-                folder = "cases/" + number;
-                fs::create_directories(study / folder);
-                replace_file((study / folder / "case.prm").string(),
-                             [&](std::ostream &out) { out << c.parameters; });
-              }
-            folders.push_back(folder);
-            if (!seen.insert(folder).second)
-              continue;
-            if (!has_worthy_result(study / folder, options))
-              {
-                clean_folder(study / folder);
-                to_run.push_back(folder);
-              }
+            for (; next_ < to_run_.size() && running_.size() < n_slots_;
+                 ++next_)
+              start(next_);
+            for (auto run = running_.begin(); run != running_.end();)
+              run = has_ended(*run) ? running_.erase(run) : std::next(run);
+            if (!running_.empty())
+              std::this_thread::sleep_for(std::chrono::milliseconds(20));
           }
       }
-    folders = broadcast_lines(folders);
-    to_run  = broadcast_lines(to_run);
-    AssertDimension(folders.size(), cases.size());
-    for (std::size_t i = 0; i < cases.size(); ++i)
-      cases[i].folder = folders[i];
+
+    private:
+      void
+      start(const std::size_t c)
+      {
+        const fs::path folder = study_ / to_run_[c];
+        // Whoever creates the claim has the case.
+        const int claim =
+          open((folder / "claim").c_str(), O_WRONLY | O_CREAT | O_EXCL, 0644);
+        if (claim < 0)
+          return;
+        close(claim);
+        const pid_t pid = start_run(options_, folder);
+        AssertThrow(pid > 0,
+                    dealii::ExcMessage("No process can be started: " +
+                                       std::string(std::strerror(errno))));
+        running_[pid] = {c, Clock::now()};
+      }
+
+      // Also writes the result of a run that has ended.
+      bool
+      has_ended(const std::pair<const pid_t, Run> &run) const
+      {
+        const double wall_seconds =
+          std::chrono::duration<double>(Clock::now() - run.second.start)
+            .count();
+        // A run that waits for something uses no CPU time.
+        const bool too_long =
+          options_.cpu_limit > 0 && wall_seconds > 10 * options_.cpu_limit + 60;
+        if (too_long)
+          kill(run.first, SIGKILL);
+        int    status = 0;
+        rusage usage{};
+        if (wait4(run.first, &status, too_long ? 0 : WNOHANG, &usage) == 0)
+          return false;
+        const auto seconds = [](const timeval &t) {
+          return t.tv_sec + 1e-6 * t.tv_usec;
+        };
+        const double cpu = std::round(1000 * (seconds(usage.ru_utime) +
+                                              seconds(usage.ru_stime))) /
+                           1000;
+        const fs::path   folder = study_ / to_run_[run.second.c];
+        const RunSummary result =
+          judge_run(folder, status, too_long, cpu, options_);
+        write_run_summary((folder / "result.csv").string(), result);
+        report(run.second.c, cpu, result);
+        return true;
+      }
+
+      void
+      report(const std::size_t c,
+             const double      cpu,
+             const RunSummary &result) const
+      {
+        const std::string &name = to_run_[c];
+        std::ostringstream line;
+        char               numbers[64];
+        std::snprintf(numbers,
+                      sizeof(numbers),
+                      "%4zu/%zu %8.1f s  ",
+                      c + 1,
+                      to_run_.size(),
+                      cpu);
+        line << numbers << name << "  " << result.status;
+        if (result.status != "done")
+          line << " (" << result.reason << ") at " << result.stage << " "
+               << result.load_factor;
+        if (!description_.at(name).empty())
+          line << "  " << description_.at(name);
+        log_ << line.str() << std::endl;
+      }
+
+      const fs::path                     study_;
+      const std::vector<std::string>    &to_run_;
+      const SweepOptions                &options_;
+      const unsigned int                 n_slots_;
+      std::ostream                      &log_;
+      std::map<std::string, std::string> description_; // of a folder
+      std::map<pid_t, Run>               running_;
+      std::size_t                        next_ = 0;
+    };
+  } // namespace
+
+
+
+  void
+  run_cases(std::vector<SweepCase> &cases,
+            const SweepOptions     &options,
+            std::ostream           &log)
+  {
+    const fs::path                 study  = options.directory;
+    const std::vector<std::string> to_run = assign_folders(cases, options);
 
     const unsigned int n_slots = options.side_by_side > 0 ?
                                    options.side_by_side :
                                  is_parallel() ? 1 :
                                                  n_available_cores();
-    if (first)
+    if (is_first_process())
       {
         log << cases.size() << (cases.size() == 1 ? " case, " : " cases, ")
             << to_run.size() << " to run, ";
@@ -431,91 +611,12 @@ namespace NPT
         else
           log << n_slots << " at a time" << std::endl;
       }
+    RunningCases(cases, to_run, options, n_slots, log).run_all();
 
-    // ---- Run: start while there is room, look for those that have ended.
-    std::map<std::string, std::string> description;
-    for (const SweepCase &c : cases)
-      description[c.folder] = describe_case(c);
-    std::map<pid_t, Run> running;
-    std::size_t          next = 0;
-    while (next < to_run.size() || !running.empty())
-      {
-        while (next < to_run.size() && running.size() < n_slots)
-          {
-            const fs::path folder = study / to_run[next];
-            // Whoever creates the claim has the case.
-            const int claim = open((folder / "claim").c_str(),
-                                   O_WRONLY | O_CREAT | O_EXCL,
-                                   0644);
-            if (claim >= 0)
-              {
-                close(claim);
-                const pid_t pid = start_run(options, folder);
-                AssertThrow(pid > 0,
-                            dealii::ExcMessage(
-                              "No process can be started: " +
-                              std::string(std::strerror(errno))));
-                running[pid] = {next, Clock::now()};
-              }
-            ++next;
-          }
-
-        for (auto run = running.begin(); run != running.end();)
-          {
-            const double wall_seconds =
-              std::chrono::duration<double>(Clock::now() - run->second.start)
-                .count();
-            // A run that waits for something uses no CPU time.
-            const bool too_long = options.cpu_limit > 0 &&
-                                  wall_seconds > 10 * options.cpu_limit + 60;
-            if (too_long)
-              kill(run->first, SIGKILL);
-            int         status = 0;
-            rusage      usage{};
-            const pid_t ended =
-              wait4(run->first, &status, too_long ? 0 : WNOHANG, &usage);
-            if (ended == 0)
-              {
-                ++run;
-                continue;
-              }
-            const auto seconds = [](const timeval &t) {
-              return t.tv_sec + 1e-6 * t.tv_usec;
-            };
-            const double cpu = std::round(1000 * (seconds(usage.ru_utime) +
-                                                  seconds(usage.ru_stime))) /
-                               1000;
-            const std::string &name   = to_run[run->second.c];
-            const fs::path     folder = study / name;
-            const RunSummary   result =
-              judge_run(folder, status, too_long, cpu, options);
-            write_run_summary((folder / "result.csv").string(), result);
-
-            std::ostringstream line;
-            char               numbers[64];
-            std::snprintf(numbers,
-                          sizeof(numbers),
-                          "%4zu/%zu %8.1f s  ",
-                          run->second.c + 1,
-                          to_run.size(),
-                          cpu);
-            line << numbers << name << "  " << result.status;
-            if (result.status != "done")
-              line << " (" << result.reason << ") at " << result.stage << " "
-                   << result.load_factor;
-            if (!description[name].empty())
-              line << "  " << description[name];
-            log << line.str() << std::endl;
-            run = running.erase(run);
-          }
-        if (!running.empty())
-          std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      }
     wait_for_all_processes();
-    if (first)
+    if (is_first_process())
       for (const std::string &folder : to_run)
         fs::remove(study / folder / "claim");
-
     for (SweepCase &c : cases)
       c.result = read_run_summary((study / c.folder / "result.csv").string());
   }

@@ -213,106 +213,107 @@ namespace NPT
                        cpu = not_a_number;
     };
 
+    // The reference must be clearly better than what it judges.
+    std::string
+    remark_on_reference(const double accuracy, const double of_reference)
+    {
+      return of_reference > 0.5 * accuracy ?
+               "the reference itself is uncertain by " + percent(of_reference) :
+               std::string();
+    }
+
+    Recommendation
+    recommend_for_curve(const std::vector<WorkPoint> &points,
+                        const WorkGroup              &group,
+                        const unsigned int            g,
+                        const double                  accuracy)
+    {
+      std::vector<double> cost, error;
+      costs_and_errors(points, g, cost, error);
+      const int      best = cheapest_within(cost, error, accuracy);
+      Recommendation r;
+      r.curve    = group.name;
+      r.accuracy = accuracy;
+      r.remark   = remark_on_reference(accuracy, group.reference_error);
+      r.setting  = "none of the cases";
+      if (best >= 0)
+        {
+          r.setting   = points[best].setting;
+          r.folder    = points[best].folder;
+          r.error     = points[best].error.l2;
+          r.end_error = points[best].error.end;
+          r.cpu       = points[best].cpu;
+        }
+      return r;
+    }
+
+    // One setting for all curves: sum of the work, largest error.
+    Recommendation
+    recommend_for_all(const std::vector<WorkPoint> &points,
+                      const std::size_t             n_groups,
+                      const double                  accuracy,
+                      const double                  uncertainty)
+    {
+      struct Sum
+      {
+        unsigned int n   = 0;
+        double       cpu = 0, error = 0, end = 0;
+      };
+      std::map<std::string, Sum> sums;
+      for (const WorkPoint &point : points)
+        if (point.complete)
+          {
+            Sum &sum = sums[point.setting];
+            ++sum.n;
+            sum.cpu += point.cpu;
+            sum.error = std::max(sum.error, point.error.l2);
+            sum.end   = std::max(sum.end, point.error.end);
+          }
+      Recommendation r;
+      r.curve    = "all";
+      r.accuracy = accuracy;
+      r.setting  = "none of the cases";
+      r.remark   = remark_on_reference(accuracy, uncertainty);
+      for (const auto &[setting, sum] : sums)
+        if (sum.n == n_groups && sum.error <= accuracy && !(r.cpu <= sum.cpu))
+          {
+            r.setting   = setting;
+            r.cpu       = sum.cpu;
+            r.error     = sum.error;
+            r.end_error = sum.end;
+          }
+      return r;
+    }
+
     std::vector<Recommendation>
     recommend(const std::vector<WorkGroup> &groups,
               const std::vector<WorkPoint> &points,
               const std::vector<double>    &accuracies)
     {
       std::vector<Recommendation> result;
-      std::vector<double>         cost, error;
-      // The reference must be clearly better than what it judges.
-      const auto remark = [](const double accuracy, const double of_reference) {
-        return of_reference > 0.5 * accuracy ?
-                 "the reference itself is uncertain by " +
-                   percent(of_reference) :
-                 std::string();
-      };
       for (const double accuracy : accuracies)
         {
           double uncertainty = 0;
           for (unsigned int g = 0; g < groups.size(); ++g)
             {
-              costs_and_errors(points, g, cost, error);
-              const int best = cheapest_within(cost, error, accuracy);
-              uncertainty    = std::max(uncertainty, groups[g].reference_error);
-              Recommendation r;
-              r.curve    = groups[g].name;
-              r.accuracy = accuracy;
-              r.remark   = remark(accuracy, groups[g].reference_error);
-              r.setting  = "none of the cases";
-              if (best >= 0)
-                {
-                  r.setting   = points[best].setting;
-                  r.folder    = points[best].folder;
-                  r.error     = points[best].error.l2;
-                  r.end_error = points[best].error.end;
-                  r.cpu       = points[best].cpu;
-                }
-              result.push_back(r);
+              uncertainty = std::max(uncertainty, groups[g].reference_error);
+              result.push_back(
+                recommend_for_curve(points, groups[g], g, accuracy));
             }
-          if (groups.size() < 2)
-            continue;
-
-          // One setting for all curves: sum of the work, largest error.
-          struct Sum
-          {
-            unsigned int n   = 0;
-            double       cpu = 0, error = 0, end = 0;
-          };
-          std::map<std::string, Sum> sums;
-          for (const WorkPoint &point : points)
-            if (point.complete)
-              {
-                Sum &sum = sums[point.setting];
-                ++sum.n;
-                sum.cpu += point.cpu;
-                sum.error = std::max(sum.error, point.error.l2);
-                sum.end   = std::max(sum.end, point.error.end);
-              }
-          Recommendation r;
-          r.curve    = "all";
-          r.accuracy = accuracy;
-          r.setting  = "none of the cases";
-          r.remark   = remark(accuracy, uncertainty);
-          for (const auto &[setting, sum] : sums)
-            if (sum.n == groups.size() && sum.error <= accuracy &&
-                !(r.cpu <= sum.cpu))
-              {
-                r.setting   = setting;
-                r.cpu       = sum.cpu;
-                r.error     = sum.error;
-                r.end_error = sum.end;
-              }
-          result.push_back(r);
+          if (groups.size() > 1)
+            result.push_back(
+              recommend_for_all(points, groups.size(), accuracy, uncertainty));
         }
       return result;
     }
-  } // namespace
 
 
 
-  std::string
-  write_work_precision(const std::string            &directory,
-                       const std::vector<WorkGroup> &groups,
-                       std::vector<WorkPoint>       &points,
-                       const std::vector<double>    &accuracies,
-                       const std::string            &title)
-  {
-    std::vector<double> cost, error;
-    for (unsigned int g = 0; g < groups.size(); ++g)
-      {
-        costs_and_errors(points, g, cost, error);
-        const auto front = pareto_front(cost, error);
-        for (std::size_t i = 0; i < points.size(); ++i)
-          if (points[i].group == g)
-            points[i].on_front = front[i];
-      }
-
-    std::vector<std::string> series;
-    for (const WorkPoint &point : points)
-      if (std::find(series.begin(), series.end(), point.series) == series.end())
-        series.push_back(point.series);
-
+    void
+    write_point_table(const std::string              &directory,
+                      const std::vector<WorkGroup>   &groups,
+                      const std::vector<WorkPoint>   &points,
+                      const std::vector<std::string> &series)
     {
       TableWriter table(
         directory + "/work_precision.csv",
@@ -346,8 +347,14 @@ namespace NPT
                        point.status,
                        point.series,
                        point.setting});
+    }
 
-      TableWriter front_table(
+    void
+    write_front_table(const std::string            &directory,
+                      const std::vector<WorkGroup> &groups,
+                      const std::vector<WorkPoint> &points)
+    {
+      TableWriter table(
         directory + "/pareto_front.csv",
         {"group", "cpu_seconds", "error", "curve", "case", "setting"},
         {"The cases that nobody beats, by CPU seconds."});
@@ -362,15 +369,18 @@ namespace NPT
                                                 a->cpu < b->cpu;
                 });
       for (const WorkPoint *point : front)
-        front_table.add_row({point->group,
-                             point->cpu,
-                             point->error.l2,
-                             groups[point->group].name,
-                             point->folder,
-                             point->setting});
+        table.add_row({point->group,
+                       point->cpu,
+                       point->error.l2,
+                       groups[point->group].name,
+                       point->folder,
+                       point->setting});
     }
 
-    const auto recommendations = recommend(groups, points, accuracies);
+    void
+    write_recommendations(const std::string                 &directory,
+                          const std::vector<WorkGroup>      &groups,
+                          const std::vector<Recommendation> &recommendations)
     {
       TableWriter   table(directory + "/recommended.csv",
                         {"accuracy",
@@ -413,100 +423,142 @@ namespace NPT
         }
     }
 
-    std::size_t longest = 0;
-    for (const std::string &name : series)
-      longest = std::max(longest, name.size());
-    // With several panels one legend in a place of its own, behind the last.
-    const bool         own_legend = groups.size() > 1;
-    const unsigned int n_places   = groups.size() + (own_legend ? 1 : 0),
-                       n_columns  = std::min(n_places, 2u),
-                       n_rows     = (n_places + n_columns - 1) / n_columns;
-    const std::string front_style =
-      "lines linecolor rgb '#444444' linewidth 1 title 'Pareto front'";
-    const auto series_style = [&](const unsigned int s) {
-      return "points " + study_line_style(s) + " pointsize 0.9 title " +
-             gnuplot_text(series[s].empty() ? "cases" : series[s]);
-    };
-    return draw_picture(
-      directory,
-      "work_precision",
-      title,
-      n_rows,
-      n_columns,
-      n_columns == 1 ? 760 : 620,
-      420 + (own_legend ? 0 : 18 * static_cast<unsigned int>(series.size())),
-      [&](std::ostream &out) {
+
+
+    // The picture: one panel per group, error over CPU time.
+    class WorkPrecisionPicture
+    {
+    public:
+      WorkPrecisionPicture(const std::vector<WorkGroup>   &groups,
+                           const std::vector<WorkPoint>   &points,
+                           const std::vector<double>      &accuracies,
+                           const std::vector<std::string> &series)
+        : groups_(groups)
+        , points_(points)
+        , accuracies_(accuracies)
+        , series_(series)
+        // With several panels one legend in a place of its own, behind the
+        // last.
+        , own_legend_(groups.size() > 1)
+      {}
+
+      std::string
+      draw(const std::string &directory, const std::string &title) const
+      {
+        const unsigned int n_places  = groups_.size() + (own_legend_ ? 1 : 0);
+        const unsigned int n_columns = std::min(n_places, 2u);
+        const unsigned int n_rows    = (n_places + n_columns - 1) / n_columns;
+        const unsigned int n_series  = series_.size();
+        return draw_picture(directory,
+                            "work_precision",
+                            title,
+                            n_rows,
+                            n_columns,
+                            n_columns == 1 ? 760 : 620,
+                            420 + (own_legend_ ? 0 : 18 * n_series),
+                            [&](std::ostream &out) {
+                              write_frame(out);
+                              for (unsigned int g = 0; g < groups_.size(); ++g)
+                                write_panel(out, g);
+                              if (own_legend_)
+                                write_legend(out);
+                            });
+      }
+
+    private:
+      void
+      write_frame(std::ostream &out) const
+      {
+        std::size_t longest = 0;
+        for (const std::string &name : series_)
+          longest = std::max(longest, name.size());
         out << "  set logscale xy\n  set format '%g'\n"
             << "  set format y '10^{%T}'\n"
-            << (own_legend ? "  unset key\n" :
-                             "  set key below maxcols " +
-                               std::to_string(longest > 30 ? 1 : 2) +
-                               " reverse Left samplen 1 noenhanced font "
-                               "',10'\n")
+            << (own_legend_ ? "  unset key\n" :
+                              "  set key below maxcols " +
+                                std::to_string(longest > 30 ? 1 : 2) +
+                                " reverse Left samplen 1 noenhanced font "
+                                "',10'\n")
             << "  set xlabel 'CPU time [s]'\n"
             << "  set ylabel 'relative L2 error [-]'\n";
-        for (unsigned int g = 0; g < groups.size(); ++g)
-          {
-            // All points and levels inside, with a margin.
-            double     cpu[2] = {1e300, 0}, errors[2] = {1e300, 0};
-            const auto widen = [](double(&range)[2], const double value) {
-              if (!(value > 0))
-                return;
-              range[0] = std::min(range[0], value);
-              range[1] = std::max(range[1], value);
-            };
-            for (const WorkPoint &point : points)
-              if (point.group == g && point.complete)
-                {
-                  widen(cpu, point.cpu);
-                  widen(errors, point.error.l2);
-                }
-            for (const double accuracy : accuracies)
-              widen(errors, accuracy);
-            widen(errors, groups[g].reference_error);
-            if (cpu[0] < cpu[1])
-              out << "  set xrange [" << 0.8 * cpu[0] << ":" << 1.25 * cpu[1]
-                  << "]\n";
-            else
-              out << "  set xrange [*:*]\n";
-            out << "  set yrange [" << 0.6 * errors[0] << ":" << 1.6 * errors[1]
-                << "]\n";
+      }
 
-            out << "  set title "
-                << gnuplot_text(groups[g].name + ", " + groups[g].quantity)
-                << " noenhanced\n  unset arrow\n  unset label\n";
-            const auto level = [&](const double       value,
-                                   const std::string &text,
-                                   const std::string &place,
-                                   const std::string &style) {
-              out << "  set arrow from graph 0, first " << value
-                  << " to graph 1, first " << value << " nohead back " << style
-                  << "\n  set label " << gnuplot_text(text) << " at graph "
-                  << place << ", first " << value
-                  << " right offset 0,0.4 font ',9' noenhanced\n";
-            };
-            for (const double accuracy : accuracies)
-              level(accuracy,
-                    percent(accuracy),
-                    "0.99",
-                    "linecolor rgb '#888888' dashtype 2");
-            if (groups[g].reference_error > 0)
-              level(groups[g].reference_error,
-                    "difference of the two finest",
-                    "0.85",
-                    "linecolor rgb '#bb0000' dashtype 3");
-            out << "  plot 'pareto_front.csv' using (column('group') == " << g
-                << " ? column('cpu_seconds') : NaN):(column('error')) with "
-                << front_style;
-            for (unsigned int s = 0; s < series.size(); ++s)
-              out << ", \\\n    'work_precision.csv' using (column('group') == "
-                  << g << " && column('series') == " << s
-                  << " ? column('cpu_seconds') : NaN):(column('error')) with "
-                  << series_style(s);
-            out << "\n";
-          }
-        if (!own_legend)
-          return;
+      // All points and levels inside, with a margin.
+      void
+      write_ranges(std::ostream &out, const unsigned int g) const
+      {
+        double     cpu[2] = {1e300, 0}, errors[2] = {1e300, 0};
+        const auto widen = [](double(&range)[2], const double value) {
+          if (!(value > 0))
+            return;
+          range[0] = std::min(range[0], value);
+          range[1] = std::max(range[1], value);
+        };
+        for (const WorkPoint &point : points_)
+          if (point.group == g && point.complete)
+            {
+              widen(cpu, point.cpu);
+              widen(errors, point.error.l2);
+            }
+        for (const double accuracy : accuracies_)
+          widen(errors, accuracy);
+        widen(errors, groups_[g].reference_error);
+        if (cpu[0] < cpu[1])
+          out << "  set xrange [" << 0.8 * cpu[0] << ":" << 1.25 * cpu[1]
+              << "]\n";
+        else
+          out << "  set xrange [*:*]\n";
+        out << "  set yrange [" << 0.6 * errors[0] << ":" << 1.6 * errors[1]
+            << "]\n";
+      }
+
+      static void
+      write_level(std::ostream      &out,
+                  const double       value,
+                  const std::string &text,
+                  const std::string &place,
+                  const std::string &style)
+      {
+        out << "  set arrow from graph 0, first " << value
+            << " to graph 1, first " << value << " nohead back " << style
+            << "\n  set label " << gnuplot_text(text) << " at graph " << place
+            << ", first " << value
+            << " right offset 0,0.4 font ',9' noenhanced\n";
+      }
+
+      void
+      write_panel(std::ostream &out, const unsigned int g) const
+      {
+        write_ranges(out, g);
+        out << "  set title "
+            << gnuplot_text(groups_[g].name + ", " + groups_[g].quantity)
+            << " noenhanced\n  unset arrow\n  unset label\n";
+        for (const double accuracy : accuracies_)
+          write_level(out,
+                      accuracy,
+                      percent(accuracy),
+                      "0.99",
+                      "linecolor rgb '#888888' dashtype 2");
+        if (groups_[g].reference_error > 0)
+          write_level(out,
+                      groups_[g].reference_error,
+                      "difference of the two finest",
+                      "0.85",
+                      "linecolor rgb '#bb0000' dashtype 3");
+        out << "  plot 'pareto_front.csv' using (column('group') == " << g
+            << " ? column('cpu_seconds') : NaN):(column('error')) with "
+            << front_style;
+        for (unsigned int s = 0; s < series_.size(); ++s)
+          out << ", \\\n    'work_precision.csv' using (column('group') == "
+              << g << " && column('series') == " << s
+              << " ? column('cpu_seconds') : NaN):(column('error')) with "
+              << series_style(s);
+        out << "\n";
+      }
+
+      void
+      write_legend(std::ostream &out) const
+      {
         out << "  unset logscale\n  unset arrow\n  unset label\n"
                "  unset title\n  unset border\n  unset tics\n"
                "  unset xlabel\n  unset ylabel\n  unset grid\n"
@@ -515,11 +567,61 @@ namespace NPT
                "maxcols 1 samplen 1 noenhanced font ',10'\n"
                "  plot NaN with "
             << front_style;
-        for (unsigned int s = 0; s < series.size(); ++s)
+        for (unsigned int s = 0; s < series_.size(); ++s)
           out << ", \\\n    NaN with " << series_style(s);
         // The next terminal draws the same panels again.
         out
           << "\n  set border 3\n  set tics\n  set tics nomirror out\n  set grid\n";
-      });
+      }
+
+      std::string
+      series_style(const unsigned int s) const
+      {
+        return "points " + study_line_style(s) + " pointsize 0.9 title " +
+               gnuplot_text(series_[s].empty() ? "cases" : series_[s]);
+      }
+
+      static constexpr const char *front_style =
+        "lines linecolor rgb '#444444' linewidth 1 title 'Pareto front'";
+
+      const std::vector<WorkGroup>   &groups_;
+      const std::vector<WorkPoint>   &points_;
+      const std::vector<double>      &accuracies_;
+      const std::vector<std::string> &series_;
+      const bool                      own_legend_;
+    };
+  } // namespace
+
+
+
+  std::string
+  write_work_precision(const std::string            &directory,
+                       const std::vector<WorkGroup> &groups,
+                       std::vector<WorkPoint>       &points,
+                       const std::vector<double>    &accuracies,
+                       const std::string            &title)
+  {
+    std::vector<double> cost, error;
+    for (unsigned int g = 0; g < groups.size(); ++g)
+      {
+        costs_and_errors(points, g, cost, error);
+        const auto front = pareto_front(cost, error);
+        for (std::size_t i = 0; i < points.size(); ++i)
+          if (points[i].group == g)
+            points[i].on_front = front[i];
+      }
+
+    std::vector<std::string> series;
+    for (const WorkPoint &point : points)
+      if (std::find(series.begin(), series.end(), point.series) == series.end())
+        series.push_back(point.series);
+
+    write_point_table(directory, groups, points, series);
+    write_front_table(directory, groups, points);
+    write_recommendations(directory,
+                          groups,
+                          recommend(groups, points, accuracies));
+    return WorkPrecisionPicture(groups, points, accuracies, series)
+      .draw(directory, title);
   }
 } // namespace NPT

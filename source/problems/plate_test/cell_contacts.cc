@@ -146,7 +146,7 @@ namespace NPT
         // only when they are deep in each other, Gauss points see it at once.
         ContactParameters contact_parameters = contact;
         if (pair.direction != 2)
-          contact_parameters.method = "KTS";
+          contact_parameters.method = ContactParameters::Method::KTS;
         result.pairs.push_back(std::make_unique<ContactPair<3>>(
           ContactSurface<3>(surfaces.get(
             pair.secondary_bundle, pair.direction, pair.secondary_side, false)),

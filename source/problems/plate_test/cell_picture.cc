@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The faces of bundles on grids of points, and the script that draws them.
 
+#include <npt_dealii/homogenization/cell_modes.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/plate_test/cell_picture.h>
@@ -163,9 +164,9 @@ namespace NPT
 
     // The image of a point of the base cell.
     std::array<double, 4>
-    image(const FacePoint             &point,
-          const SymmetryOperation     &g,
-          const std::array<double, 6> &H)
+    image(const FacePoint                         &point,
+          const SymmetryOperation                 &g,
+          const std::array<double, MacroModes::n> &H)
     {
       const Point<3> Z(point[3], point[4], point[5]);
       Tensor<1, 3>   jump;
@@ -173,7 +174,7 @@ namespace NPT
         if (H[n] != 0.)
           jump += H[n] * macroscopic_jump(n, g, Z);
       const Point<3> x = g(Point<3>(point[0], point[1], point[2])) + jump;
-      return {{x[0], x[1], x[2], point[6]}};
+      return {{x[0], x[1], x[2], point.back()}};
     }
   } // namespace
 
@@ -251,16 +252,18 @@ namespace NPT
 
 
 
-  void
-  write_cell_picture(const std::string                 &folder,
-                     const std::string                 &name,
-                     const std::string                 &title,
-                     const std::string                 &quantity,
-                     const std::vector<PictureSurface> &surfaces)
+  namespace
   {
     using Facing = PictureSurface::Facing;
-    std::map<Facing, unsigned int> number;
-    replace_file(folder + "/" + name + ".dat", [&](std::ostream &out) {
+
+    // Write the grids, those of one facing after those of another; returns how
+    // many there are of each.
+    std::map<Facing, unsigned int>
+    write_surfaces(std::ostream                      &out,
+                   const std::string                 &quantity,
+                   const std::vector<PictureSurface> &surfaces)
+    {
+      std::map<Facing, unsigned int> number;
       // A blank line ends a row of a grid, two end the grid.
       out << "# x [mm], y [mm], z [mm], " << quantity << '\n';
       char line[128];
@@ -286,53 +289,83 @@ namespace NPT
               }
             out << '\n';
           }
-    });
+      return number;
+    }
+
+
 
     // Half a quadrilateral of a wide face.
-    double nearer = 0;
-    for (const PictureSurface &surface : surfaces)
-      if (surface.facing == Facing::down)
-        {
-          const auto &a = surface.points[0],
-                     &b = surface.points[surface.n_columns];
-          nearer        = 0.5 * std::hypot(a[0] - b[0], a[1] - b[1]);
-          break;
-        }
+    double
+    half_quadrilateral(const std::vector<PictureSurface> &surfaces)
+    {
+      for (const PictureSurface &surface : surfaces)
+        if (surface.facing == Facing::down)
+          {
+            const auto &a = surface.points[0],
+                       &b = surface.points[surface.n_columns];
+            return 0.5 * std::hypot(a[0] - b[0], a[1] - b[1]);
+          }
+      return 0.;
+    }
+
+
+
+    // The view, the colors and the axes.
+    std::string
+    picture_settings(const double nearer, const std::string &quantity)
+    {
+      return "set datafile separator whitespace\n"
+             "unset datafile columnheaders\n"
+             "# Angles [degrees]: from the view from above, about z.\n"
+             "tilt = 50; turn = 30\n"
+             "set view tilt, turn, 1.75\n"
+             "# By how much edges are sorted nearer [mm], along the line of "
+             "sight.\n"
+             "nearer = " +
+             std::to_string(nearer) +
+             "\n"
+             "dx = nearer * sin(tilt * pi / 180) * sin(turn * pi / 180)\n"
+             "dy = -nearer * sin(tilt * pi / 180) * cos(turn * pi / 180)\n"
+             "dz = nearer * cos(tilt * pi / 180)\n"
+             "set view equal xyz\n"
+             "set pm3d depthorder\n"
+             "set pm3d lighting primary 0.3 specular 0.05\n"
+             "set palette defined (0 '#fff7cf', 1 '#fdd480', 2 '#f8964a', 3 "
+             "'#dd4b3a', 4 '#97155b', 5 '#3b0f52')\n"
+             "set cbrange [0:*]\n"
+             "unset border; unset tics; unset grid; unset key\n"
+             "set cbtics\n"
+             "set colorbox user origin 0.88, 0.2 size 0.022, 0.6\n"
+             "set cblabel " +
+             gnuplot_text(quantity) +
+             "\n"
+             "set arrow 1 from graph -0.12, -0.12, 0 to graph 0.1, -0.12, 0\n"
+             "set arrow 2 from graph -0.12, -0.12, 0 to graph -0.12, 0.1, 0\n"
+             "set label 1 'x_1' at graph 0.14, -0.12, 0 center\n"
+             "set label 2 'x_2' at graph -0.12, 0.14, 0 center\n";
+    }
+  } // namespace
+
+
+
+  void
+  write_cell_picture(const std::string                 &folder,
+                     const std::string                 &name,
+                     const std::string                 &title,
+                     const std::string                 &quantity,
+                     const std::vector<PictureSurface> &surfaces)
+  {
+    std::map<Facing, unsigned int> number;
+    replace_file(folder + "/" + name + ".dat", [&](std::ostream &out) {
+      number = write_surfaces(out, quantity, surfaces);
+    });
 
     GnuplotPicture picture;
-    picture.name   = name;
-    picture.width  = 760;
-    picture.height = 480;
-    picture.title  = title;
-    picture.settings =
-      "set datafile separator whitespace\n"
-      "unset datafile columnheaders\n"
-      "# Angles [degrees]: from the view from above, about z.\n"
-      "tilt = 50; turn = 30\n"
-      "set view tilt, turn, 1.75\n"
-      "# By how much edges are sorted nearer [mm], along the line of sight.\n"
-      "nearer = " +
-      std::to_string(nearer) +
-      "\n"
-      "dx = nearer * sin(tilt * pi / 180) * sin(turn * pi / 180)\n"
-      "dy = -nearer * sin(tilt * pi / 180) * cos(turn * pi / 180)\n"
-      "dz = nearer * cos(tilt * pi / 180)\n"
-      "set view equal xyz\n"
-      "set pm3d depthorder\n"
-      "set pm3d lighting primary 0.3 specular 0.05\n"
-      "set palette defined (0 '#fff7cf', 1 '#fdd480', 2 '#f8964a', 3 "
-      "'#dd4b3a', 4 '#97155b', 5 '#3b0f52')\n"
-      "set cbrange [0:*]\n"
-      "unset border; unset tics; unset grid; unset key\n"
-      "set cbtics\n"
-      "set colorbox user origin 0.88, 0.2 size 0.022, 0.6\n"
-      "set cblabel " +
-      gnuplot_text(quantity) +
-      "\n"
-      "set arrow 1 from graph -0.12, -0.12, 0 to graph 0.1, -0.12, 0\n"
-      "set arrow 2 from graph -0.12, -0.12, 0 to graph -0.12, 0.1, 0\n"
-      "set label 1 'x_1' at graph 0.14, -0.12, 0 center\n"
-      "set label 2 'x_2' at graph -0.12, 0.14, 0 center\n";
+    picture.name     = name;
+    picture.width    = 760;
+    picture.height   = 480;
+    picture.title    = title;
+    picture.settings = picture_settings(half_quadrilateral(surfaces), quantity);
     write_gnuplot_script(
       folder + "/" + name + ".gp", picture, [&](std::ostream &out) {
         const std::string  file    = gnuplot_text(name + ".dat");

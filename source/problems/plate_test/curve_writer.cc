@@ -2,7 +2,6 @@
 // The columns of curves.csv, stated once for writing, reading and plotting.
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/plate_test/curve_writer.h>
 
 #include <deal.II/base/exceptions.h>
@@ -26,10 +25,12 @@ namespace NPT
       visit("step", "-", row.step);
       visit("stage", "", row.stage);
       visit("load_factor", "-", row.load_factor);
-      for (unsigned int i = 0; i < 6; ++i)
-        visit("H" + std::to_string(i + 1), i < 3 ? "-" : "1/mm", row.H[i]);
-      for (unsigned int i = 0; i < 6; ++i)
-        visit("n" + std::to_string(i + 1), i < 3 ? "N/mm" : "N", row.n[i]);
+      for (unsigned int k = 0; k < MacroModes::n; ++k)
+        visit(MacroModes::table[k].name, MacroModes::table[k].unit(), row.H[k]);
+      for (unsigned int k = 0; k < MacroModes::n; ++k)
+        visit(MacroModes::table[k].conjugate,
+              MacroModes::table[k].conjugate_unit(),
+              row.n[k]);
 
       const auto ij = [](const unsigned int i, const unsigned int j) {
         return std::to_string(i + 1) + std::to_string(j + 1);
@@ -242,23 +243,6 @@ namespace NPT
     AssertThrow(file_, ExcFileNotOpen(filename));
     write_header(file_);
     file_.flush();
-  }
-
-
-
-  CurveWriter::CurveWriter(const std::string &filename,
-                           const unsigned int last_step)
-    : filename_(filename)
-  {
-    const std::vector<CurveRow> rows = read_curves(filename);
-    replace_file(filename, [&](std::ostream &out) {
-      write_header(out);
-      for (const CurveRow &row : rows)
-        if (row.step <= last_step)
-          write_row(out, row);
-    });
-    file_.open(filename, std::ios::app);
-    AssertThrow(file_, ExcFileNotOpen(filename));
   }
 
 

@@ -45,7 +45,7 @@ namespace NPT
     // Which component moves, and where it turned: walk back along the last
     // branch and the one before.
     unsigned int k = 0;
-    for (unsigned int n = 1; n < 6; ++n)
+    for (unsigned int n = 1; n < MacroModes::n; ++n)
       if (std::abs(curve[end].H[n] - curve[end - 1].H[n]) >
           std::abs(curve[end].H[k] - curve[end - 1].H[k]))
         k = n;
@@ -112,19 +112,17 @@ namespace NPT
   std::string
   describe(const HysteresisLoop &loop)
   {
-    static const char *rigidity[] = {"", "", "G", "B", "B", "D"};
-    static const char *width[]    = {"", "", "2HG", "2HB", "2HB", "2HT"};
-    const std::string  number     = std::to_string(loop.component + 1);
-    const bool         curvature  = loop.component >= 3;
-    std::ostringstream text;
+    const MacroMode   &mode = MacroModes::table[loop.component];
+    std::ostringstream text, amplitude;
     text.precision(4);
-    text << "Loop of n" << number << " over H" << number << " to +-"
-         << loop.amplitude << (curvature ? " /mm" : "") << ": rigidity "
-         << rigidity[loop.component] << " = " << loop.rigidity
-         << (curvature ? " N mm" : " N/mm") << ", hysteresis "
-         << width[loop.component] << " = " << loop.width
-         << (curvature ? " N" : " N/mm") << ", loop area " << loop.loop_area
-         << " N/mm = dissipation " << loop.dissipation
+    amplitude.precision(4);
+    amplitude << loop.amplitude;
+    text << "Loop of " << mode.conjugate << " over " << mode.name << " to +-"
+         << MacroModes::with_unit(amplitude.str(), mode.unit()) << ": rigidity "
+         << mode.rigidity << " = " << loop.rigidity << " "
+         << mode.rigidity_unit() << ", hysteresis " << mode.hysteresis << " = "
+         << loop.width << " " << mode.conjugate_unit() << ", loop area "
+         << loop.loop_area << " N/mm = dissipation " << loop.dissipation
          << " + growth of the stored energy " << loop.energy_growth;
     return text.str();
   }
@@ -140,8 +138,8 @@ namespace NPT
             "amplitude, width at 0.4 of it, after Kawabata.\n"
             "component,amplitude,rigidity,width,loop_area,dissipation,"
             "energy_growth\n"
-         << 'H' << loop.component + 1 << ',' << loop.amplitude << ','
-         << loop.rigidity << ',' << loop.width << ',' << loop.loop_area << ','
-         << loop.dissipation << ',' << loop.energy_growth << '\n';
+         << MacroModes::table[loop.component].name << ',' << loop.amplitude
+         << ',' << loop.rigidity << ',' << loop.width << ',' << loop.loop_area
+         << ',' << loop.dissipation << ',' << loop.energy_growth << '\n';
   }
 } // namespace NPT

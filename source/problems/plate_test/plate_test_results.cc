@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/contact/contact_fields.h>
+#include <npt_dealii/homogenization/macro_modes.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/vtu_file.h>
 #include <npt_dealii/problems/plate_test/cell_picture.h>
@@ -58,7 +59,7 @@ namespace NPT
                  {"unknowns", std::to_string(cell.macro().n_unknowns())},
                  {"contact nodes",
                   std::to_string(cell.n_contact_nodes()) + " (" +
-                    parameters_.contact.method + ")"}});
+                    name_of(parameters_.contact.method) + ")"}});
     if (!parameters_.reason_for_type.empty())
       log_.line("The program chose the " + parameters_.cell.type + ", " +
                 parameters_.reason_for_type + ".");
@@ -108,8 +109,9 @@ namespace NPT
     log_.progress((stages_done_ + load_factor) /
                     parameters_.load_programme.stages.size(),
                   cpu_seconds());
-    if (parameters_.output.fields == "steps" ||
-        (parameters_.output.fields == "stages" && load_factor == 1.))
+    using Fields = OutputParameters::Fields;
+    if (parameters_.output.fields == Fields::steps ||
+        (parameters_.output.fields == Fields::stages && load_factor == 1.))
       write_fields(cell, step);
   }
 
@@ -242,11 +244,13 @@ namespace NPT
     std::ostringstream title;
     title << "Stage " << stage.name << ", load factor " << state.load_factor;
     for (const auto &[n, target] : stage.H_targets)
-      title << ", H" << n + 1 << " = " << picture.H[n]
-            << (n < 3 ? "" : " 1/mm");
+      title << ", " << MacroModes::table[n].name << " = "
+            << MacroModes::with_unit(short_number(picture.H[n]),
+                                     MacroModes::table[n].unit());
     for (const auto &[n, target] : stage.n_targets)
-      title << ", n" << n + 1 << " = " << state.applied[n]
-            << (n < 3 ? " N/mm" : " N");
+      title << ", " << MacroModes::table[n].conjugate << " = "
+            << state.applied[n] << ' '
+            << MacroModes::table[n].conjugate_unit();
     std::string name = "cell_" + stage.name;
     for (char &c : name)
       if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')

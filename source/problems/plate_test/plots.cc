@@ -17,12 +17,12 @@ namespace NPT
     std::string
     column_name(const std::string &column)
     {
-      static const char *const meaning[6] = {
-        "stretch", "stretch", "shear", "bending", "bending", "torsion"};
-      if (column.size() == 2 && column[0] == 'H')
-        return meaning[column[1] - '1'] + std::string(" H_") + column[1];
-      if (column.size() == 2 && column[0] == 'n')
-        return std::string("n_") + column[1];
+      if (const unsigned int k = MacroModes::number_of(column);
+          k < MacroModes::n)
+        return (MacroModes::is_conjugate(column) ?
+                  "" :
+                  std::string(MacroModes::table[k].meaning) + " ") +
+               column.substr(0, 1) + "_" + column.substr(1);
       if (column.size() == 3 && (column[0] == 'N' || column[0] == 'M'))
         return column.substr(0, 1) + "_{" + column.substr(1) + "}";
       if (column == "n_active")
@@ -149,108 +149,138 @@ namespace NPT
 
 
 
-  unsigned int
+  std::optional<unsigned int>
   driving_component(const std::vector<CurveRow> &rows)
   {
-    std::array<double, 6> work{}, change{};
+    using Values = std::array<double, MacroModes::n>;
+    Values work{}, change{};
     for (std::size_t r = 1; r < rows.size(); ++r)
-      for (unsigned int i = 0; i < 6; ++i)
+      for (unsigned int i = 0; i < MacroModes::n; ++i)
         {
           const double dH = rows[r].H[i] - rows[r - 1].H[i];
           work[i] += 0.5 * (rows[r].n[i] + rows[r - 1].n[i]) * dH;
           change[i] += std::abs(dH);
         }
 
-    const auto largest = [](const std::array<double, 6> &values) {
-      unsigned int best = 0;
-      for (unsigned int i = 1; i < 6; ++i)
-        if (std::abs(values[i]) > std::abs(values[best]))
-          best = i;
-      return values[best] != 0. ? best : 6;
-    };
-    const unsigned int by_work = largest(work);
-    return by_work < 6 ? by_work : largest(change);
+    for (const Values &values : {work, change})
+      {
+        unsigned int best = 0;
+        for (unsigned int i = 1; i < MacroModes::n; ++i)
+          if (std::abs(values[i]) > std::abs(values[best]))
+            best = i;
+        if (values[best] != 0.)
+          return best;
+      }
+    return {};
   }
+
+
+
+  namespace
+  {
+    // Stages with their driving component; neighbors with the same one join.
+    struct StageGroup
+    {
+      std::vector<std::string>    stages;
+      std::vector<CurveRow>       rows;
+      std::optional<unsigned int> component;
+    };
+
+    std::vector<StageGroup>
+    group_stages(const std::vector<CurveRow> &rows)
+    {
+      std::vector<StageGroup> groups;
+      for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end)
+        {
+          while (end < rows.size() && rows[end].stage == rows[begin].stage)
+            ++end;
+          const std::vector<CurveRow> stage(rows.begin() + begin,
+                                            rows.begin() + end);
+          if (stage.size() < 2)
+            continue;
+          const auto component = driving_component(stage);
+          if (groups.empty() || !component ||
+              groups.back().component != component)
+            groups.push_back({{}, {}, component});
+          groups.back().stages.push_back(stage[0].stage);
+          groups.back().rows.insert(groups.back().rows.end(),
+                                    stage.begin(),
+                                    stage.end());
+        }
+      return groups;
+    }
+
+
+
+    PlotSpec
+    response_panel(const StageGroup &group)
+    {
+      PlotSpec panel;
+      panel.stages = group.stages;
+      for (const std::string &name : group.stages)
+        panel.title += (panel.title.empty() ? "" : ", ") + name;
+      if (group.component)
+        {
+          const MacroMode &mode = MacroModes::table[*group.component];
+          panel.x_column        = mode.name;
+          panel.y_columns       = {mode.conjugate};
+        }
+      else
+        {
+          panel.x_column  = "load_factor";
+          panel.y_columns = {"stored_energy"};
+        }
+      panel.x_tics = distance_of_tics(range_of(group.rows, panel.x_column));
+      return panel;
+    }
+
+
+
+    // What happens meanwhile, over the same abscissa.
+    PlotSpec
+    companion_panel(const StageGroup &group, const PlotSpec &response)
+    {
+      PlotSpec panel = response;
+      panel.y_columns.clear();
+      bool contact = false, friction = false;
+      for (const CurveRow &row : group.rows)
+        {
+          contact  = contact || row.n_active > 0;
+          friction = friction || row.n_stick + row.n_slip > 0;
+        }
+      if (contact)
+        {
+          panel.title += ": contact";
+          if (friction)
+            panel.y_columns = {"n_stick", "n_slip"};
+          else
+            panel.y_columns = {"n_active"};
+          panel.y_label = "contact points";
+          if (range_of(group.rows, "dissipation") > 0.)
+            panel.y2_columns = {"dissipation"};
+        }
+      else
+        {
+          panel.title += ": normal resultants";
+          for (const MacroMode &mode : MacroModes::table)
+            if (mode.is_extension())
+              panel.y_columns.push_back(mode.conjugate);
+        }
+      return panel;
+    }
+  } // namespace
 
 
 
   std::vector<PlotSpec>
   default_plots(const std::vector<CurveRow> &rows)
   {
-    // Stages with their driving component; neighbors with the same one join.
-    struct Group
-    {
-      std::vector<std::string> stages;
-      std::vector<CurveRow>    rows;
-      unsigned int             component;
-    };
-    std::vector<Group> groups;
-    for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end)
-      {
-        while (end < rows.size() && rows[end].stage == rows[begin].stage)
-          ++end;
-        const std::vector<CurveRow> stage(rows.begin() + begin,
-                                          rows.begin() + end);
-        if (stage.size() < 2)
-          continue;
-        const unsigned int component = driving_component(stage);
-        if (groups.empty() || component == 6 ||
-            groups.back().component != component)
-          groups.push_back({{}, {}, component});
-        groups.back().stages.push_back(stage[0].stage);
-        groups.back().rows.insert(groups.back().rows.end(),
-                                  stage.begin(),
-                                  stage.end());
-      }
-
     std::vector<PlotSpec> plots;
-    for (const Group &group : groups)
+    for (const StageGroup &group : group_stages(rows))
       {
-        const std::vector<CurveRow> &stage     = group.rows;
-        const unsigned int           component = group.component;
-        PlotSpec                     response;
-        response.stages = group.stages;
-        for (const std::string &name : group.stages)
-          response.title += (response.title.empty() ? "" : ", ") + name;
-        if (component < 6)
-          {
-            const std::string number = std::to_string(component + 1);
-            response.x_column        = "H" + number;
-            response.y_columns       = {"n" + number};
-          }
-        else
-          {
-            response.x_column  = "load_factor";
-            response.y_columns = {"stored_energy"};
-          }
-        response.x_tics = distance_of_tics(range_of(stage, response.x_column));
+        const PlotSpec response = response_panel(group);
         plots.push_back(response);
-
-        PlotSpec meanwhile = response;
-        meanwhile.y_columns.clear();
-        bool contact = false, friction = false;
-        for (const CurveRow &row : stage)
-          {
-            contact  = contact || row.n_active > 0;
-            friction = friction || row.n_stick + row.n_slip > 0;
-          }
-        if (contact)
-          {
-            meanwhile.title += ": contact";
-            if (friction)
-              meanwhile.y_columns = {"n_stick", "n_slip"};
-            else
-              meanwhile.y_columns = {"n_active"};
-            meanwhile.y_label = "contact points";
-            if (range_of(stage, "dissipation") > 0.)
-              meanwhile.y2_columns = {"dissipation"};
-          }
-        else
-          {
-            meanwhile.title += ": normal resultants";
-            meanwhile.y_columns = {"n1", "n2"};
-          }
-        plots.push_back(meanwhile);
+        plots.push_back(companion_panel(group, response));
       }
     return plots;
   }

@@ -37,7 +37,7 @@ namespace NPT
     for (const unsigned int i : components)
       {
         (void)i;
-        AssertIndexRange(i, 6);
+        AssertIndexRange(i, MacroModes::n);
       }
     components_ = components;
     first_step_ = true; // the titles change
@@ -55,7 +55,7 @@ namespace NPT
         if (components_.empty())
           titles += format("  %13s", "largest H");
         for (const unsigned int i : components_)
-          titles += format("  %9s%u", "H", i + 1);
+          titles += format("  %10s", MacroModes::table[i].name);
         titles += format(" %5s %8s %5s %6s %6s %6s %8s %9s",
                          "iter.",
                          "residual",
@@ -75,10 +75,12 @@ namespace NPT
     if (components_.empty())
       {
         unsigned int largest = 0;
-        for (unsigned int i = 1; i < 6; ++i)
+        for (unsigned int i = 1; i < MacroModes::n; ++i)
           if (std::abs(row.H[i]) > std::abs(row.H[largest]))
             largest = i;
-        text += format("  H%u %10.3e", largest + 1, row.H[largest]);
+        text += format("  %s %10.3e",
+                       MacroModes::table[largest].name,
+                       row.H[largest]);
       }
     for (const unsigned int i : components_)
       text += format("  %10.3e", row.H[i]);

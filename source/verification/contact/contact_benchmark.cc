@@ -157,7 +157,7 @@ namespace NPT
                   std::to_string(system_.n_independent())},
                  {"contact nodes",
                   std::to_string(contacts_[0]->n_nodes()) + " (" +
-                    parameters_.contact.method + ")"}});
+                    name_of(parameters_.contact.method) + ")"}});
   }
 
 

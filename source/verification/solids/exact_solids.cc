@@ -143,20 +143,16 @@ namespace NPT
 
 
 
-  HomogeneousMode
-  homogeneous_mode_from_name(const std::string &name)
+  template <>
+  const EnumNames<HomogeneousMode> &
+  enum_names<HomogeneousMode>()
   {
-    if (name == "uniaxial")
-      return HomogeneousMode::uniaxial;
-    if (name == "equibiaxial")
-      return HomogeneousMode::equibiaxial;
-    if (name == "dilation")
-      return HomogeneousMode::dilation;
-    if (name == "simple shear")
-      return HomogeneousMode::simple_shear;
-    throw InputError("Mode is '" + name +
-                     "'; it must be uniaxial, equibiaxial, dilation or simple "
-                     "shear.");
+    static const EnumNames<HomogeneousMode> names = {
+      {HomogeneousMode::uniaxial, "uniaxial"},
+      {HomogeneousMode::equibiaxial, "equibiaxial"},
+      {HomogeneousMode::dilation, "dilation"},
+      {HomogeneousMode::simple_shear, "simple shear"}};
+    return names;
   }
 
 
@@ -167,12 +163,14 @@ namespace NPT
     FiberBundleConstants
     constants_of(const MaterialParameters &material)
     {
-      if (material.law == MaterialParameters::Law::fiber_bundle)
-        return material.fiber_bundle;
-      const auto neo_hookean =
-        NeoHookeanConstants::from_young_and_poisson(material.young_modulus,
-                                                    material.poisson_ratio);
-      FiberBundleConstants constants;
+      if (const auto *bundle = material.selected<FiberBundleParameters>())
+        return bundle->constants;
+      const auto *isotropic = material.selected<NeoHookeanParameters>();
+      AssertThrow(isotropic,
+                  dealii::ExcMessage("No closed form for the law " +
+                                     material.law + "."));
+      const NeoHookeanConstants neo_hookean = isotropic->constants();
+      FiberBundleConstants      constants;
       constants.mu     = neo_hookean.mu;
       constants.lambda = neo_hookean.lambda;
       constants.a = constants.b = constants.c = constants.d = 0.;
@@ -185,8 +183,9 @@ namespace NPT
                       const double              lambda,
                       const double              J)
     {
-      return material.law == MaterialParameters::Law::neo_hookean &&
-                 material.volumetric_energy == VolumetricEnergy::ciarlet ?
+      const auto *isotropic = material.selected<NeoHookeanParameters>();
+      return isotropic &&
+                 isotropic->volumetric_energy == VolumetricEnergy::ciarlet ?
                0.5 * lambda * (J * J - 1.) :
                lambda * std::log(J);
     }

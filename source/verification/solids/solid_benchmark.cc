@@ -37,8 +37,8 @@ namespace NPT
     std::unique_ptr<ElasticSolution>
     make_exact_solution(const SolidBenchmarkParameters &p)
     {
-      const double E  = p.material.young_modulus;
-      const double nu = p.material.poisson_ratio;
+      const auto  &law = p.material.constants<NeoHookeanParameters>();
+      const double E = law.young_modulus, nu = law.poisson_ratio;
       switch (p.body)
         {
           case Body::plate_with_hole:
@@ -117,7 +117,7 @@ namespace NPT
   {
     // Directions mean something only to the law with a fiber.
     std::vector<unsigned int> fiber_axes = parameters_.fiber_axes;
-    if (parameters_.material.law == MaterialParameters::Law::neo_hookean)
+    if (parameters_.material.selected<NeoHookeanParameters>())
       fiber_axes.assign(1, 0);
 
     for (const auto &[mode_name, mode] : parameters_.modes)
@@ -304,9 +304,10 @@ namespace NPT
   void
   SolidBenchmark::compute_errors(ConvergenceRow &row) const
   {
-    const double E      = parameters_.material.young_modulus;
-    const double nu     = parameters_.material.poisson_ratio;
-    const double mu     = E / (2. * (1. + nu));
+    const auto  &law = parameters_.material.constants<NeoHookeanParameters>();
+    const double E   = law.young_modulus;
+    const double nu  = law.poisson_ratio;
+    const double mu  = E / (2. * (1. + nu));
     const double lambda = 2. * mu * nu / (1. - 2. * nu);
     // sigma : S : sigma
     const auto energy = [&](const Tensor<2, 3> &sigma) {

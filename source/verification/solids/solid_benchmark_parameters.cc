@@ -1,217 +1,242 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reading and cross-checking of the parameters of solid benchmarks.
+// Defines reading and cross-checking of the parameters of solid benchmarks.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/verification/solids/solid_benchmark_parameters.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <algorithm>
-#include <set>
 #include <sstream>
 
 namespace NPT
 {
   namespace Patterns = dealii::Patterns;
-  using dealii::Utilities::split_string_list;
-  using Body = SolidBenchmarkParameters::Body;
+  using Body         = SolidBenchmarkParameters::Body;
+
+  template <>
+  const EnumNames<Body> &
+  enum_names<Body>()
+  {
+    static const EnumNames<Body> names = {{Body::plate_with_hole,
+                                           "plate with hole"},
+                                          {Body::cylinder, "cylinder"},
+                                          {Body::sphere, "sphere"},
+                                          {Body::block, "block"}};
+    return names;
+  }
+
+
+
+  void
+  SolidBenchmarkParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    declare_problem(prm, "solid benchmark");
+    add_convergence_parameters(prm);
+    add_block_parameters(prm);
+    material.add_parameters(prm, "Material");
+    newton.add_parameters(prm);
+    linear_solver.add_parameters(prm);
+
+    const ParameterSubsection subsection(prm, "Output");
+    add_parameter(prm,
+                  "Directory",
+                  directory,
+                  "Where all results go; created if missing. The option "
+                  "--output of the program overrides it.",
+                  Patterns::DirectoryName());
+    add_parameter(prm,
+                  "Picture",
+                  picture,
+                  "Draw convergence.svg with gnuplot at the end (not "
+                  "for the block).");
+  }
+
+
+
+  void
+  SolidBenchmarkParameters::add_convergence_parameters(
+    dealii::ParameterHandler &prm)
+  {
+    const ParameterSubsection subsection(prm, "Benchmark");
+    add_parameter(
+      prm,
+      "Case",
+      name,
+      [this](const std::string &text) {
+        name = text;
+        body = value_of<Body>(text);
+      },
+      "Plate with a circular hole under tension (Kirsch), thick-walled "
+      "cylinder or sphere under inner pressure (Lame): rates of convergence "
+      "of the law linearized at the natural state. Block: homogeneous "
+      "states of the law at finite strain, in a distorted mesh.",
+      Patterns::Selection(selection<Body>()));
+    add_parameter(prm,
+                  "Inner radius",
+                  inner_radius,
+                  "Radius of the hole, or inner radius [mm].",
+                  Patterns::Double(1e-6));
+    add_parameter(prm,
+                  "Outer size",
+                  outer_size,
+                  "Half width of the plate, or outer radius [mm].",
+                  Patterns::Double(1e-6));
+    add_parameter(prm,
+                  "Load",
+                  load,
+                  "Tension T far from the hole, or inner pressure p "
+                  "[MPa]. The problem is linear: errors do not depend on "
+                  "it.",
+                  Patterns::Double(1e-12));
+    add_parameter(
+      prm,
+      "Bases",
+      bases,
+      "Functions to be tested, see Mesh/Basis of a plate test: C^{p-1}, C0, "
+      "and deal.II's FE_Q.",
+      Patterns::List(Patterns::Selection(selection<Basis>()), 1, 3));
+    add_parameter(prm,
+                  "Degrees",
+                  degrees,
+                  "Polynomial degrees p [-].",
+                  Patterns::List(Patterns::Integer(2, 5), 1, 4));
+    add_parameter(prm,
+                  "Elements",
+                  n_elements,
+                  "Knot spans per direction and patch of the meshes of a "
+                  "series, increasing [-]; plate and cylinder are one "
+                  "span thick.",
+                  Patterns::List(Patterns::Integer(1, 100), 1, 10));
+    add_parameter(prm,
+                  "Radial factor",
+                  radial_factor,
+                  "Knot spans from the inner to the outer face per knot "
+                  "span of Elements [-]. (A wall that is thick against "
+                  "its radius reaches the rates of theory later.)",
+                  Patterns::Integer(1, 10));
+    add_parameter(prm,
+                  "Additional Gauss points",
+                  additional_gauss_points,
+                  "Per direction, beyond p + 1 [-].",
+                  Patterns::Integer(0, 5));
+    add_parameter(prm,
+                  "Tolerance of rates",
+                  rate_tolerance,
+                  "The run fails if the rate between the two finest "
+                  "meshes of a series differs by more from p (energy "
+                  "norm) or p + 1 (L2 norm) [-].",
+                  Patterns::Double(0.));
+  }
+
+
+
+  void
+  SolidBenchmarkParameters::add_block_parameters(dealii::ParameterHandler &prm)
+  {
+    const ParameterSubsection subsection(prm, "Homogeneous states");
+    add_parameter(
+      prm,
+      "Modes",
+      modes,
+      "Stretch along 1 with the sides free, along 1 and 2 with 3 free, in "
+      "all directions; F = 1 + gamma e_1 (x) e_2.",
+      Patterns::List(Patterns::Selection(selection<HomogeneousMode>()), 1, 4));
+
+    std::vector<unsigned int> from_one;
+    for (const unsigned int axis : fiber_axes)
+      from_one.push_back(axis + 1);
+    add_parameter(
+      prm,
+      "Fiber directions",
+      EntryValue<decltype(from_one)>::text(from_one),
+      [this](const std::string &text) {
+        fiber_axes = EntryValue<decltype(fiber_axes)>::value(text);
+        for (unsigned int &axis : fiber_axes)
+          --axis;
+      },
+      "Axes along which the fiber of the fiber bundle law is "
+      "laid, one after the other.",
+      Patterns::List(Patterns::Integer(1, 3), 1, 3));
+    add_parameter(prm,
+                  "Stretch",
+                  stretch,
+                  "Of the driven directions [-].",
+                  Patterns::Double(0.5, 3.));
+    add_parameter(prm,
+                  "Shear",
+                  shear,
+                  "gamma of simple shear [-].",
+                  Patterns::Double(-3., 3.));
+    add_parameter(prm,
+                  "Distortion",
+                  distortion,
+                  "Largest shift of a control point over the distance to "
+                  "its neighbors [-].",
+                  Patterns::Double(0., 0.49));
+    add_parameter(prm,
+                  "Tolerance",
+                  stress_tolerance,
+                  "The run fails if the average stress differs by more "
+                  "from the closed form, relative to its largest "
+                  "component [-].",
+                  Patterns::Double(0.));
+    steps.add_parameters(prm);
+  }
+
+
 
   namespace
   {
-    const std::vector<std::pair<std::string, Body>> bodies = {
-      {"plate with hole", Body::plate_with_hole},
-      {"cylinder", Body::cylinder},
-      {"sphere", Body::sphere},
-      {"block", Body::block}};
-
+    // Values of a list that stand there twice would be computed twice.
+    template <typename Value>
     void
-    declare_benchmark(dealii::ParameterHandler &prm)
+    check_distinct(const std::vector<Value> &values, const std::string &entry)
     {
-      prm.enter_subsection("Benchmark");
-      std::string names;
-      for (const auto &body : bodies)
-        names += (names.empty() ? "" : "|") + body.first;
-      prm.declare_entry(
-        "Case",
-        "plate with hole",
-        Patterns::Selection(names),
-        "Plate with a circular hole under tension (Kirsch), thick-walled "
-        "cylinder or sphere under inner pressure (Lame): rates of convergence "
-        "of the law linearized at the natural state. Block: homogeneous "
-        "states of the law at finite strain, in a distorted mesh.");
-      prm.declare_entry("Inner radius",
-                        "1",
-                        Patterns::Double(1e-6),
-                        "Radius of the hole, or inner radius [mm].");
-      prm.declare_entry("Outer size",
-                        "4",
-                        Patterns::Double(1e-6),
-                        "Half width of the plate, or outer radius [mm].");
-      prm.declare_entry("Load",
-                        "1",
-                        Patterns::Double(1e-12),
-                        "Tension T far from the hole, or inner pressure p "
-                        "[MPa]. The problem is linear: errors do not depend on "
-                        "it.");
-      prm.declare_entry(
-        "Bases",
-        "NURBS, Bernstein, Lagrange",
-        Patterns::List(Patterns::Selection("NURBS|Bernstein|Lagrange"), 1, 3),
-        "Functions to be tested, see Mesh/Basis of a plate test: C^{p-1}, C0, "
-        "and deal.II's FE_Q.");
-      prm.declare_entry("Degrees",
-                        "2, 3, 4",
-                        Patterns::List(Patterns::Integer(2, 5), 1, 4),
-                        "Polynomial degrees p [-].");
-      prm.declare_entry("Elements",
-                        "4, 8, 16",
-                        Patterns::List(Patterns::Integer(1, 100), 1, 10),
-                        "Knot spans per direction and patch of the meshes of a "
-                        "series, increasing [-]; plate and cylinder are one "
-                        "span thick.");
-      prm.declare_entry("Radial factor",
-                        "1",
-                        Patterns::Integer(1, 10),
-                        "Knot spans from the inner to the outer face per knot "
-                        "span of Elements [-]. (A wall that is thick against "
-                        "its radius reaches the rates of theory later.)");
-      prm.declare_entry("Additional Gauss points",
-                        "0",
-                        Patterns::Integer(0, 5),
-                        "Per direction, beyond p + 1 [-].");
-      prm.declare_entry("Tolerance of rates",
-                        "0.1",
-                        Patterns::Double(0.),
-                        "The run fails if the rate between the two finest "
-                        "meshes of a series differs by more from p (energy "
-                        "norm) or p + 1 (L2 norm) [-].");
-      prm.leave_subsection();
-
-      prm.enter_subsection("Homogeneous states");
-      prm.declare_entry(
-        "Modes",
-        "uniaxial, equibiaxial, dilation, simple shear",
-        Patterns::List(Patterns::Selection(
-                         "uniaxial|equibiaxial|dilation|simple shear"),
-                       1,
-                       4),
-        "Stretch along 1 with the sides free, along 1 and 2 with 3 free, in "
-        "all directions; F = 1 + gamma e_1 (x) e_2.");
-      prm.declare_entry("Fiber directions",
-                        "1, 2",
-                        Patterns::List(Patterns::Integer(1, 3), 1, 3),
-                        "Axes along which the fiber of the fiber bundle law is "
-                        "laid, one after the other.");
-      prm.declare_entry("Stretch",
-                        "1.1",
-                        Patterns::Double(0.5, 3.),
-                        "Of the driven directions [-].");
-      prm.declare_entry("Shear",
-                        "0.2",
-                        Patterns::Double(-3., 3.),
-                        "gamma of simple shear [-].");
-      prm.declare_entry("Distortion",
-                        "0.25",
-                        Patterns::Double(0., 0.49),
-                        "Largest shift of a control point over the distance to "
-                        "its neighbors [-].");
-      prm.declare_entry("Tolerance",
-                        "1e-9",
-                        Patterns::Double(0.),
-                        "The run fails if the average stress differs by more "
-                        "from the closed form, relative to its largest "
-                        "component [-].");
-      StepParameters steps;
-      steps.initial_step = steps.maximum_step = 0.25;
-      steps.declare_parameters(prm);
-      prm.leave_subsection();
-    }
-
-    void
-    declare_all(dealii::ParameterHandler &prm)
-    {
-      declare_problem(prm, "solid benchmark");
-      declare_benchmark(prm);
-      MaterialParameters::declare_parameters(prm, "Material");
-      prm.enter_subsection("Material");
-      prm.declare_entry("Law",
-                        "neo-Hookean",
-                        Patterns::Selection("fiber bundle|neo-Hookean"),
-                        "Strain energy: the isotropic neo-Hookean law, Eq. "
-                        "(51), or (block only) the transversely isotropic "
-                        "law, Eqs. (50)-(53).");
-      prm.leave_subsection();
-      NewtonParameters::declare_parameters(prm);
-      prm.enter_subsection("Newton");
-      prm.declare_entry("Relative tolerance",
-                        "1e-12",
-                        Patterns::Double(1e-14, 1),
-                        "Residual norm over the norm of the internal forces "
-                        "before they cancel, at which Newton has converged "
-                        "[-].");
-      prm.declare_entry("Absolute tolerance",
-                        "1e-14",
-                        Patterns::Double(0),
-                        "Residual norm that always counts as converged [N].");
-      prm.leave_subsection();
-      LinearSolverParameters::declare_parameters(prm);
-      prm.enter_subsection("Output");
-      prm.declare_entry("Directory",
-                        "output-benchmark",
-                        Patterns::DirectoryName(),
-                        "Where all results go; created if missing. The option "
-                        "--output of the program overrides it.");
-      prm.declare_entry("Picture",
-                        "true",
-                        Patterns::Bool(),
-                        "Draw convergence.svg with gnuplot at the end (not "
-                        "for the block).");
-      prm.leave_subsection();
-    }
-
-    template <typename Choice, typename Convert>
-    std::vector<std::pair<std::string, Choice>>
-    read_choices(const std::string &list,
-                 const std::string &entry,
-                 const Convert     &convert)
-    {
-      std::vector<std::pair<std::string, Choice>> choices;
-      for (const std::string &name : split_string_list(list, ','))
-        {
-          for (const auto &other : choices)
-            if (other.first == name)
-              throw InputError(entry + " names " + name +
-                               " twice; name it once.");
-          choices.emplace_back(name, convert(name));
-        }
-      return choices;
-    }
-
-    std::vector<unsigned int>
-    read_numbers(const std::string &list,
-                 const std::string &entry,
-                 const bool         increasing)
-    {
-      std::vector<unsigned int> numbers;
-      std::set<unsigned int>    seen;
-      for (const int n :
-           dealii::Utilities::string_to_int(split_string_list(list, ',')))
-        {
-          if (increasing && !numbers.empty() &&
-              static_cast<unsigned int>(n) <= numbers.back())
-            throw InputError(entry + " has " + std::to_string(n) + " after " +
-                             std::to_string(numbers.back()) +
-                             "; the numbers must increase (subsection "
-                             "Benchmark).");
-          if (!seen.insert(n).second)
-            throw InputError(entry + " names " + std::to_string(n) +
-                             " twice; name it once.");
-          numbers.push_back(n);
-        }
-      return numbers;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (std::count(values.begin(), values.begin() + i, values[i]) > 0)
+          throw InputError(entry + " names " +
+                           EntryValue<Value>::text(values[i]) +
+                           " twice; name it once.");
     }
   } // namespace
+
+
+
+  void
+  SolidBenchmarkParameters::check() const
+  {
+    check_distinct(bases, "Bases");
+    check_distinct(degrees, "Degrees");
+    for (std::size_t i = 1; i < n_elements.size(); ++i)
+      if (n_elements[i] <= n_elements[i - 1])
+        throw InputError("Elements has " + std::to_string(n_elements[i]) +
+                         " after " + std::to_string(n_elements[i - 1]) +
+                         "; the numbers must increase (subsection "
+                         "Benchmark).");
+    check_distinct(modes, "Modes");
+    std::vector<unsigned int> from_one = fiber_axes;
+    for (unsigned int &axis : from_one)
+      ++axis;
+    check_distinct(from_one, "Fiber directions");
+    steps.check("subsection Homogeneous states");
+    if (body == Body::block)
+      return;
+
+    std::ostringstream message;
+    if (outer_size <= inner_radius)
+      message << "Outer size is " << outer_size
+              << " mm; it must be larger than the inner radius of "
+              << inner_radius << " mm (subsection Benchmark).";
+    else if (n_elements.size() < 2)
+      message << "Elements names one mesh; a rate of convergence needs at "
+                 "least two (subsection Benchmark).";
+    else if (!material.selected<NeoHookeanParameters>())
+      message << "Law is " << material.law
+              << "; the exact solution of the case '" << name
+              << "' is the one of the neo-Hookean law (subsection Material).";
+    if (!message.str().empty())
+      throw InputError(message.str());
+  }
 
 
 
@@ -219,73 +244,14 @@ namespace NPT
   SolidBenchmarkParameters::read(const ParameterText            &text,
                                  const std::vector<std::string> &overrides)
   {
+    SolidBenchmarkParameters parameters;
     dealii::ParameterHandler prm;
-    declare_all(prm);
+    parameters.add_parameters(prm);
     parse_parameter_text(prm, text, overrides);
-
-    SolidBenchmarkParameters p;
-    prm.enter_subsection("Benchmark");
-    p.name = prm.get("Case");
-    for (const auto &choice : bodies)
-      if (choice.first == p.name)
-        p.body = choice.second;
-    p.inner_radius = prm.get_double("Inner radius");
-    p.outer_size   = prm.get_double("Outer size");
-    p.load         = prm.get_double("Load");
-    p.bases   = read_choices<Basis>(prm.get("Bases"), "Bases", basis_from_name);
-    p.degrees = read_numbers(prm.get("Degrees"), "Degrees", false);
-    p.n_elements    = read_numbers(prm.get("Elements"), "Elements", true);
-    p.radial_factor = prm.get_integer("Radial factor");
-    p.additional_gauss_points = prm.get_integer("Additional Gauss points");
-    p.rate_tolerance          = prm.get_double("Tolerance of rates");
-    prm.leave_subsection();
-
-    prm.enter_subsection("Homogeneous states");
-    p.modes = read_choices<HomogeneousMode>(prm.get("Modes"),
-                                            "Modes",
-                                            homogeneous_mode_from_name);
-    p.fiber_axes =
-      read_numbers(prm.get("Fiber directions"), "Fiber directions", false);
-    for (unsigned int &axis : p.fiber_axes)
-      --axis;
-    p.stretch          = prm.get_double("Stretch");
-    p.shear            = prm.get_double("Shear");
-    p.distortion       = prm.get_double("Distortion");
-    p.stress_tolerance = prm.get_double("Tolerance");
-    p.steps.parse_parameters(prm, "subsection Homogeneous states");
-    prm.leave_subsection();
-
-    p.material.parse_parameters(prm, "Material");
-    p.newton.parse_parameters(prm);
-    p.linear_solver.parse_parameters(prm);
-    prm.enter_subsection("Output");
-    p.directory = prm.get("Directory");
-    p.picture   = prm.get_bool("Picture");
-    prm.leave_subsection();
-
-    std::ostringstream message;
-    if (p.body != Body::block)
-      {
-        if (p.outer_size <= p.inner_radius)
-          message << "Outer size is " << p.outer_size
-                  << " mm; it must be larger than the inner radius of "
-                  << p.inner_radius << " mm (subsection Benchmark).";
-        else if (p.n_elements.size() < 2)
-          message << "Elements names one mesh; a rate of convergence needs at "
-                     "least two (subsection Benchmark).";
-        else if (p.material.law != MaterialParameters::Law::neo_hookean)
-          message << "Law is fiber bundle; the exact solution of the case '"
-                  << p.name
-                  << "' is the one of the neo-Hookean law (subsection "
-                     "Material).";
-      }
-    if (!message.str().empty())
-      throw InputError(message.str());
-
-    std::ostringstream used;
-    print_documented_parameters(prm, used);
-    p.used_file = used.str();
-    return p;
+    parameters.material.check("Material");
+    parameters.check();
+    parameters.used_file = documented_parameters(prm);
+    return parameters;
   }
 
 
@@ -293,10 +259,6 @@ namespace NPT
   std::string
   SolidBenchmarkParameters::documented_defaults()
   {
-    dealii::ParameterHandler prm;
-    declare_all(prm);
-    std::ostringstream out;
-    print_documented_parameters(prm, out);
-    return out.str();
+    return read({}).used_file;
   }
 } // namespace NPT

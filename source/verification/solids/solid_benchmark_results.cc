@@ -111,14 +111,12 @@ namespace NPT
   void
   SolidBenchmark::begin_output()
   {
-    const auto &law       = parameters_.material;
-    const bool  isotropic = law.law == MaterialParameters::Law::neo_hookean;
     std::ostringstream constants;
-    if (isotropic)
-      constants << "neo-Hookean, E = " << law.young_modulus
-                << " MPa, nu = " << law.poisson_ratio;
-    else
-      constants << "fiber bundle";
+    constants << parameters_.material.law;
+    if (const auto *isotropic =
+          parameters_.material.selected<NeoHookeanParameters>())
+      constants << ", E = " << isotropic->young_modulus
+                << " MPa, nu = " << isotropic->poisson_ratio;
     log_.header("Solid benchmark: " + parameters_.name,
                 {{"law", constants.str()},
                  {"linearized", exact_ ? "at the natural state" : "no"}});
@@ -231,7 +229,7 @@ namespace NPT
   SolidBenchmark::judge_and_write(const HomogeneousRow &row)
   {
     const bool isotropic =
-      parameters_.material.law == MaterialParameters::Law::neo_hookean;
+      parameters_.material.selected<NeoHookeanParameters>() != nullptr;
     const std::string fiber =
       isotropic ? "-" : std::to_string(row.fiber_axis + 1);
     states_.push_back(row);

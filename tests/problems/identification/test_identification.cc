@@ -355,11 +355,11 @@ TEST_CASE("A user's table may lack columns", "[study]")
     std::ofstream out(folder + "/plate.prm");
     out << "include bundle_material.prm\n";
   }
+  MaterialParameters       material;
   dealii::ParameterHandler prm;
-  MaterialParameters::declare_parameters(prm);
+  material.add_parameters(prm);
   parse_parameter_text(prm, read_parameter_text(folder + "/plate.prm"));
-  MaterialParameters material;
-  material.parse_parameters(prm);
-  CHECK(distance(material.fiber_bundle, result.constants) < 1e-12);
+  CHECK(distance(material.constants<FiberBundleParameters>().constants,
+                 result.constants) < 1e-12);
   std::filesystem::remove_all(folder);
 }

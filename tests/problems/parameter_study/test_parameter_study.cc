@@ -71,7 +71,7 @@ TEST_CASE("A study's cases are its base file with the values of the loops",
       CHECK(parameters.load_programme.stages.back().name ==
             (c % 2 == 0 ? "shear" : "biaxial"));
       CHECK(parameters.mesh.elements_along == (c < 2 ? 3 : 5));
-      CHECK(parameters.output.fields == "none");
+      CHECK(parameters.output.fields == OutputParameters::Fields::none);
       CHECK(study.details[c].component == (c % 2 == 0 ? 2u : 0u));
     }
 }

@@ -41,9 +41,9 @@ namespace
   // Straight bundles displaced by w_m. The value of a point is its height in
   // the reference configuration, which a glide plane turns over.
   Drawn
-  draw(const std::string           &type,
-       const std::string           &weave,
-       const std::array<double, 6> &H)
+  draw(const std::string                       &type,
+       const std::string                       &weave,
+       const std::array<double, MacroModes::n> &H)
   {
     CellParameters parameters;
     parameters.type  = type;
@@ -57,7 +57,7 @@ namespace
     for (const Point<3> &X : space.control_points())
       {
         Point<3> x = X;
-        for (unsigned int n = 0; n < 6; ++n)
+        for (unsigned int n = 0; n < MacroModes::n; ++n)
           x += H[n] * macroscopic_displacement(n, X);
         state.positions.push_back(x);
         state.values.push_back(X[2]);
@@ -136,7 +136,7 @@ TEST_CASE("Images continue a macroscopic deformation", "[output]")
 {
   // With w = w_m every point of the picture is a point of the straight fabric
   // displaced by w_m.
-  const std::array<double, 6> H = {{0.1, -0.05, 0.2, 0., 0., 0.}};
+  const std::array<double, MacroModes::n> H = {{0.1, -0.05, 0.2, 0., 0., 0.}};
   for (const std::string type :
        {"sub-unit cell", "two-crossing cell", "unit cell"})
     {
@@ -175,8 +175,9 @@ TEST_CASE("A bent fabric looks the same from the two-crossing and the unit "
           "cell",
           "[output]")
 {
-  const std::array<double, 6> H = {{0.1, 0., 0.2, 0.02, -0.01, 0.015}};
-  const auto                  two =
+  const std::array<double, MacroModes::n> H = {
+    {0.1, 0., 0.2, 0.02, -0.01, 0.015}};
+  const auto two =
     sorted_points(draw("two-crossing cell", "plain", H).surfaces);
   const auto unit = sorted_points(draw("unit cell", "plain", H).surfaces);
   REQUIRE(two.size() == unit.size());

@@ -86,7 +86,7 @@ TEST_CASE("The report of a loop names rigidity and width with their units",
   const auto bending = NPT::last_loop(parallelogram(3, 0.25, 3., 0.4), 10.);
   REQUIRE(bending);
   const std::string text = NPT::describe(*bending);
-  CHECK(text.find("Loop of n4 over H4 to +-0.25 /mm") == 0);
+  CHECK(text.find("Loop of n4 over H4 to +-0.25 1/mm") == 0);
   CHECK(text.find("B = 3 N mm") != std::string::npos);
   CHECK(text.find("2HB = 0.4 N,") != std::string::npos);
 }

@@ -2,6 +2,7 @@
 // Defines the claims on reading a load programme.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/problems/plate_test/load_programme.h>
 
 #include <catch2/catch.hpp>
@@ -15,14 +16,15 @@ namespace
   LoadProgramme
   read(const std::string &entries)
   {
-    const std::string text =
-      "subsection Load programme\n" + entries + "\nend\n";
+    const auto text =
+      make_parameter_text("subsection Load programme\n" + entries + "\nend\n",
+                          "file.prm");
+    LoadProgramme programme(
+      get_entry(text, {}, "Load programme/Stages").value_or(""));
     dealii::ParameterHandler prm;
-    LoadProgramme::declare_parameters(prm,
-                                      LoadProgramme::read_stage_names(text));
-    prm.parse_input_from_string(text);
-    LoadProgramme programme;
-    programme.parse_parameters(prm);
+    programme.add_parameters(prm);
+    parse_parameter_text(prm, text);
+    programme.check();
     return programme;
   }
 
@@ -107,27 +109,6 @@ TEST_CASE("Stages, targets and choices are read as written", "[solver]")
   CHECK(stages[2].steps.minimum_step == 0.001);
   CHECK(stages[2].steps.target_iterations == 6);
   CHECK(stages[3].H_targets == std::map<unsigned int, double>{{0, 0.2}});
-}
-
-TEST_CASE("Stage names are found as deal.II reads the file", "[solver]")
-{
-  using Names       = std::vector<std::string>;
-  const auto  names = LoadProgramme::read_stage_names;
-  const Names defaults{"weave", "release", "shear"};
-  CHECK(names("") == defaults);
-  CHECK(names("set Stages = a, b") == defaults); // outside the subsection
-  CHECK(names("subsection Load programme\n"
-              "  subsection Stage x\n    set Stages = a\n  end\n"
-              "  # set Stages = c\n"
-              "end\n") == defaults);
-  CHECK(names("subsection Other\n  set x = 1\nend\n"
-              "subsection  Load programme   # comment\n"
-              "\tset  Stages=weave ,  \\\n"
-              "       release, \\\n"
-              "  my shear # , not this\n"
-              "end\n") == Names{"weave", "release", "my shear"});
-  CHECK(names("subsection Load programme\r\n  set Stages = a\r\n"
-              "  set Stages = b\r\nend\r\n") == Names{"b"});
 }
 
 TEST_CASE("A programme that cannot be is refused in one sentence", "[solver]")

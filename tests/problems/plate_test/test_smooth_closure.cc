@@ -39,7 +39,7 @@ namespace
           {
             x[i] += g.Q[i] * u[3 * A + i];
             for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
-              if (cell.represents_mode(n))
+              if (represents_mode(cell, n))
                 x[i] += u[test.cell.macro().mode(n)] *
                         (macroscopic_displacement(n, g(Y))[i] -
                          g.Q[i] * macroscopic_displacement(n, Y)[i]);

@@ -5,6 +5,8 @@
 #ifndef npt_dealii_problems_identification_identification_parameters_h
 #define npt_dealii_problems_identification_identification_parameters_h
 
+#include <npt_dealii/base/parameter_binding.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <map>
@@ -30,11 +32,14 @@ namespace NPT
     bool                          elliptic          = true;
     double                        stability_margin  = 0.01; ///< [MPa]
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    /// Bind the members to the entries of the subsection.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
   };
+
+  template <>
+  const EnumNames<IdentificationParameters::Components> &
+  enum_names<IdentificationParameters::Components>();
 } // namespace NPT
 
 #endif

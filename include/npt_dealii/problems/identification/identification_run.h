@@ -24,22 +24,22 @@ namespace NPT
     bool        fields  = false;
     bool        picture = true;
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm,
-                       const std::string        &default_directory,
-                       const bool                with_fields);
+    /// Bind the members to the entries of the subsection.
     void
-    parse_parameters(dealii::ParameterHandler &prm, const bool with_fields);
+    add_parameters(dealii::ParameterHandler &prm, const bool with_fields);
   };
 
   /// A fit of tabulated data, `set Problem = identification`.
   struct IdentificationRunParameters
   {
-    std::vector<std::string> files;
+    std::vector<std::string> files = {"output-nmt/material_tests.csv"};
     IdentificationParameters identification;
-    MaterialOutputParameters output;
+    MaterialOutputParameters output = {"output-identify"};
 
     std::string used_file;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
 
     static IdentificationRunParameters
     read(const ParameterText            &text,

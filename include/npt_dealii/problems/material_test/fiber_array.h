@@ -5,6 +5,7 @@
 #ifndef npt_dealii_problems_material_test_fiber_array_h
 #define npt_dealii_problems_material_test_fiber_array_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/iga/iga_space.h>
 #include <npt_dealii/iga/nurbs_patch.h>
 
@@ -23,6 +24,10 @@ namespace NPT
     hexagonal
   };
 
+  template <>
+  const EnumNames<Packing> &
+  enum_names<Packing>();
+
   /// The volume fraction at which neighboring fibers touch: pi/4 (square) or
   /// pi/(2 sqrt 3) (hexagonal).
   double
@@ -37,15 +42,12 @@ namespace NPT
     double       fiber_spacing   = 1.;   ///< s, between axes [mm]
     unsigned int n_fibers        = 1;    ///< in the cell: 1, 2 or 4
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
-
-    /// Throws InputError if fibers touch or overlap. On return both the radius
-    /// and the volume fraction are set.
+    /// Bind the members to the entries of the subsection.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
 
-    /// Make radius and fraction agree; throws as parse_parameters().
+    /// Make radius and fraction agree. Throws InputError if fibers touch or
+    /// overlap.
     void
     check();
   };
@@ -63,10 +65,9 @@ namespace NPT
     /// with too few points even a homogeneous cell is not in equilibrium.
     unsigned int additional_gauss_points = 1;
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    /// Bind the members to the entries of the subsection.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
   };
 
   /**

@@ -31,10 +31,40 @@ namespace NPT
     /// H_iJ [-] or P_iJ [MPa] at the end; a component not named has H_iJ = 0.
     std::array<double, 9> target{};
     StepParameters        steps;
+
+    MaterialTest() = default;
+
+    /// A test with the defaults that its name has: "tension 1" to 20 %, "shear
+    /// 12" as a symmetric H of 10 %, and so on; others have no targets.
+    explicit MaterialTest(const std::string &name);
+
+    /// Bind the members to the entries of subsection "Test NAME".
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /**
+     * Throws InputError without targets, and if both P_iJ and P_Ji are
+     * prescribed: then nothing holds the rotation of the cell in the plane of
+     * i and J.
+     */
+    void
+    check() const;
+
+    /// "H11: 0.2, P22: 0".
+    std::string
+    targets() const;
+
+    /// Throws InputError if a component is prescribed twice.
+    void
+    set_targets(const std::string &text);
+
+  private:
+    std::array<bool, 9> is_named_{};
   };
 
   /**
-   * Subsection "Material tests". The tests are named by the user; each has a
+   * Subsection "Material tests". The tests are named by the user, so their
+   * names have to be known before their entries can be declared; each has a
    * subsection "Test NAME" with its targets "H11: 0.2, P22: 0".
    */
   class MaterialTestProgramme
@@ -42,39 +72,50 @@ namespace NPT
   public:
     std::vector<MaterialTest> tests;
 
-    /// The entry Tests of a parameter file, or the six default tests.
-    static std::vector<std::string>
-    read_test_names(const ParameterText            &text,
-                    const std::vector<std::string> &overrides);
-
-    static void
-    declare_parameters(dealii::ParameterHandler       &prm,
-                       const std::vector<std::string> &names);
-
     /**
-     * Throws InputError for names twice, a component prescribed twice, and if
-     * both P_iJ and P_Ji are prescribed: then nothing holds the rotation of the
-     * cell in the plane of i and J.
+     * @param names Entry Tests, the names separated by commas; empty: the six
+     *   default tests. "none": no test.
      */
+    explicit MaterialTestProgramme(const std::string &names = "");
+
+    /// Bind all tests to their entries, those of the subsection that are no
+    /// test excepted. The default tests can be described even if they are not
+    /// run.
     void
-    parse_parameters(dealii::ParameterHandler       &prm,
-                     const std::vector<std::string> &names);
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Throws InputError for names twice and for what a test finds impossible.
+    void
+    check() const;
+
+  private:
+    /// Described, but not run.
+    std::vector<MaterialTest> others_;
   };
 
   /// A numerical material test, `set Problem = material test`.
   struct MaterialTestParameters
   {
-    MicroCellParameters      cell;
-    MicroMeshParameters      mesh;
-    MaterialParameters       fiber;
-    MaterialParameters       matrix;
-    bool                     uniform_along_fiber = true;
-    MaterialTestProgramme    programme;
-    NewtonParameters         newton;
+    MicroCellParameters   cell;
+    MicroMeshParameters   mesh;
+    MaterialParameters    fiber  = MaterialParameters("neo-Hookean");
+    MaterialParameters    matrix = MaterialParameters("neo-Hookean");
+    bool                  uniform_along_fiber = true;
+    MaterialTestProgramme programme;
+    /// A smooth problem: two more digits cost less than one iteration, and the
+    /// averages then agree with the reactions. Fibers of a few micrometers have
+    /// small forces.
+    NewtonParameters         newton = {1e-10, 1e-18};
     LinearSolverParameters   linear_solver;
     bool                     identify = true;
     IdentificationParameters identification;
-    MaterialOutputParameters output;
+    MaterialOutputParameters output = {"output-nmt"};
+
+    /// The matrix is a hundred times softer than the fiber.
+    MaterialTestParameters();
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
 
     /// The complete file with defaults, as it will be kept with the results.
     std::string used_file;

@@ -95,6 +95,22 @@ namespace NPT
   private:
     static constexpr unsigned int by_number = -1; // axis of deal.II's arrays
 
+    /// Fill loops_ but for axes and names.
+    /// @return By loop, where it stands.
+    std::vector<std::string>
+    find_loops();
+
+    void
+    name_loops();
+
+    void
+    join_arrays(const std::vector<std::string> &places);
+
+    unsigned int
+    axis_of_array(const unsigned int l,
+                  const unsigned int n_combinations,
+                  const std::string &where) const;
+
     ParameterText              text_;
     std::vector<ParameterLoop> loops_;
     std::vector<unsigned int>  axis_sizes_;

@@ -4,9 +4,12 @@
 #ifndef npt_dealii_problems_parameter_study_study_parameters_h
 #define npt_dealii_problems_parameter_study_study_parameters_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/problems/parameter_study/parameter_loops.h>
 #include <npt_dealii/problems/parameter_study/sweep.h>
+
+#include <deal.II/base/parameter_handler.h>
 
 #include <memory>
 #include <set>
@@ -23,19 +26,27 @@ namespace NPT
    */
   struct StudyParameters
   {
-    std::string kind; ///< sweep, work-precision or stability map
-    std::string title;
-    std::string directory;
+    enum class Kind
+    {
+      sweep,          ///< the curves of all cases
+      work_precision, ///< error against CPU time
+      stability_map   ///< success, iterations and cuts over two entries
+    };
 
-    unsigned int side_by_side = 0;
-    double       cpu_limit    = 0; ///< [s]
+    Kind        kind = Kind::sweep;
+    std::string title;
+    std::string directory = "output-study";
+
+    unsigned int side_by_side = 0;   ///< 0: as many as there are cores
+    double       cpu_limit    = 600; ///< [s]
     bool         repeat       = false;
 
     std::string              x_column; ///< empty: of the last stage's target
     std::vector<std::string> y_columns;
     std::string              stage; ///< empty: the last one
-    std::vector<std::string> panels, axes, series;
-    std::vector<double>      accuracies;
+    std::vector<std::string> panels, axes;
+    std::vector<std::string> series          = {"automatic"};
+    std::vector<double>      accuracies      = {0.1, 0.01, 0.001};
     unsigned int             mean_iterations = 0;
 
     /// Entry Base and the plate test's entries, with their loops.
@@ -46,7 +57,7 @@ namespace NPT
     {
       unsigned int group = 0;     ///< number of the base file
       std::string  last_stage;    ///< whose end is success
-      unsigned int component = 0; ///< 0..5, driven in the last stage
+      unsigned int component = 0; ///< mode, driven in the last stage
     };
     std::vector<SweepCase> cases;
     std::vector<Details>   details;
@@ -63,6 +74,10 @@ namespace NPT
     std::string
     used_file_in(const std::string &folder) const;
 
+    /// Bind the members to the entries of subsection "Study".
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
     /**
      * Read and check the study and every single case of it.
      *
@@ -74,9 +89,42 @@ namespace NPT
          const std::vector<std::string> &overrides = {});
 
   private:
+    struct Texts; // the parts of the file
+
+    void
+    add_picture_parameters(dealii::ParameterHandler &prm);
+
+    void
+    set_curve();
+
+    void
+    read_base_files(Texts &texts);
+
+    void
+    check_swept_entries() const;
+
+    Details
+    read_case(const Texts         &texts,
+              const unsigned int   group,
+              const ParameterText &entries,
+              const std::string   &name,
+              SweepCase           &result) const;
+
+    void
+    read_cases(const Texts &texts);
+
+    void
+    read_references(const Texts &texts);
+
+    std::string              base_;                // entry Base
+    std::string              curve_ = "automatic"; // entry Curve
     std::vector<std::string> base_files_; // by group, as found from here
     std::string              documented_, reference_, rest_;
   };
+
+  template <>
+  const EnumNames<StudyParameters::Kind> &
+  enum_names<StudyParameters::Kind>();
 
   /// Path of the entry Base among the loops of a study.
   inline const std::string base_entry = "Study/Base";

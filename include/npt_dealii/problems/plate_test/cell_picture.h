@@ -6,6 +6,7 @@
 #define npt_dealii_problems_plate_test_cell_picture_h
 
 #include <npt_dealii/fabric/fabric_cell.h>
+#include <npt_dealii/homogenization/macro_modes.h>
 #include <npt_dealii/iga/iga_space.h>
 
 #include <array>
@@ -35,8 +36,8 @@ namespace NPT
     std::vector<double>           values;    ///< those of the color
     /// Places to which bending and torsion refer [mm], see make_couplings();
     /// empty: the reference ones.
-    std::vector<dealii::Point<3>> woven;
-    std::array<double, 6>         H; ///< generalized displacement gradients
+    std::vector<dealii::Point<3>>     woven;
+    std::array<double, MacroModes::n> H; ///< gradients, by mode
   };
 
   /**

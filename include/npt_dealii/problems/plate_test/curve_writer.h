@@ -5,6 +5,8 @@
 #ifndef npt_dealii_problems_plate_test_curve_writer_h
 #define npt_dealii_problems_plate_test_curve_writer_h
 
+#include <npt_dealii/homogenization/macro_modes.h>
+
 #include <deal.II/base/tensor.h>
 
 #include <array>
@@ -16,8 +18,9 @@
 namespace NPT
 {
   /**
-   * One accepted load step. Columns of the file carry the names below, H1 to
-   * H6 and n1 to n6 for the arrays, N11 to N33 and M11 to M33 for the tensors.
+   * One accepted load step. Columns of the file carry the names below, those
+   * of MacroModes::table for the arrays, N11 to N33 and M11 to M33 for the
+   * tensors.
    * Energies are those of one unit cell.
    */
   struct CurveRow
@@ -26,11 +29,11 @@ namespace NPT
     std::string  stage;
     double       load_factor = 0.;
 
-    /// Generalized displacement gradients, H1..H3 [-], H4..H6 [1/mm].
-    std::array<double, 6> H{};
+    /// Generalized displacement gradients, by mode.
+    std::array<double, MacroModes::n> H{};
 
-    /// Their conjugates, n1..n3 [N/mm], n4..n6 [N].
-    std::array<double, 6> n{};
+    /// Their conjugates.
+    std::array<double, MacroModes::n> n{};
 
     /// Resultants as volume averages, N [N/mm], M [N].
     dealii::Tensor<2, 3> N, M;
@@ -76,12 +79,6 @@ namespace NPT
   public:
     /// Begin a new file with two comment lines and the names of the columns.
     explicit CurveWriter(const std::string &filename);
-
-    /**
-     * Continue the file of an earlier run after step @p last_step, dropping
-     * the rows behind it: a restarted run computes those again.
-     */
-    CurveWriter(const std::string &filename, const unsigned int last_step);
 
     /// Throws InputError if the name of the stage contains a comma or a quote.
     void

@@ -30,10 +30,10 @@ namespace NPT
    */
   struct HysteresisLoop
   {
-    unsigned int component; ///< k = 0..5 for H1..H6
+    unsigned int component; ///< k, row of MacroModes::table
     double       amplitude; ///< A
-    double       rigidity;  ///< B [N mm] for bending and torsion, else [N/mm]
-    double       width;     ///< 2HB [N] for bending and torsion, else [N/mm]
+    double       rigidity;  ///< B, in the mode's rigidity_unit()
+    double       width;     ///< 2HB, in the mode's conjugate_unit()
     /// Work of the loop per area [N/mm], by the trapezoidal rule.
     double loop_area;
     /// Frictional dissipation and growth of the energies in the loop [N/mm].

@@ -4,11 +4,13 @@
 #ifndef npt_dealii_problems_plate_test_load_programme_h
 #define npt_dealii_problems_plate_test_load_programme_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/load_step/step_control.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,54 +29,79 @@ namespace NPT
     std::string name;
     Type        type = Type::load;
 
-    /// Component 0..5 -> H1..H6 at the end of the stage: H1..H3 [-], H4..H6
-    /// [1/mm]. Components in neither map keep what is prescribed for them.
+    /// Mode (row of MacroModes::table) -> its gradient H at the end of the
+    /// stage. Modes in neither map keep what is prescribed for them.
     std::map<unsigned int, double> H_targets;
 
-    /// Component 0..5 -> conjugate resultant n1..n6 prescribed instead of H:
-    /// n1..n3 [N/mm], n4..n6 [N]. Zero frees the component.
+    /// Mode -> conjugate resultant n prescribed instead of H. Zero frees the
+    /// mode.
     std::map<unsigned int, double> n_targets;
 
     bool           friction = true;
     StepParameters steps;
+
+    /// What the file says of type and friction; where it says `automatic`,
+    /// nothing, complete() goes by the name and the type.
+    std::optional<Type> given_type;
+    std::optional<bool> given_friction;
+
+    LoadStage() = default;
+
+    /**
+     * A stage with the defaults that its name has: "weave" and "release" have
+     * steps of at most 0.1 and 1 of the stage, others of 0.05; "shear" has the
+     * target H3 = 0.2, "tension" H1 = 0.2.
+     */
+    explicit LoadStage(const std::string &name);
+
+    /// Bind the members to the entries of subsection "Stage NAME".
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Set type and friction, and throw InputError for what is impossible.
+    void
+    complete();
+
+    /// "H3: 0.2, n1: 0".
+    std::string
+    targets() const;
+
+    /// Throws InputError if a component is prescribed twice.
+    void
+    set_targets(const std::string &text);
   };
 
+  template <>
+  const EnumNames<LoadStage::Type> &
+  enum_names<LoadStage::Type>();
+
   /**
-   * Subsection "Load programme". The stages are named by the user, so reading
-   * takes two passes: read_stage_names() finds the names in the text, then
-   * declare_parameters() makes a subsection for each of them.
+   * Subsection "Load programme". The stages are named by the user, so their
+   * names have to be known before their entries can be declared.
    */
   class LoadProgramme
   {
   public:
     std::vector<LoadStage> stages;
 
-    /**
-     * Return the entry Stages of subsection "Load programme" in the text of a
-     * parameter file, or the default if it is not there.
-     *
-     * Understands what deal.II's ParameterHandler does: comments, lines
-     * continued by a backslash, any white space; the last entry counts.
-     */
-    static std::vector<std::string>
-    read_stage_names(const std::string &prm_text);
+    /// @param names Entry Stages, the names separated by commas; empty for the
+    ///   default.
+    explicit LoadProgramme(const std::string &names = "");
+
+    /// Bind all stages to their entries.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
 
     /**
-     * Declare the entries of all stages. Defaults depend on the name: "weave"
-     * and "release" have steps of 0.1 and 1 of the stage, others of 0.05;
-     * "shear" has the target H3 = 0.2, "tension" H1 = 0.2.
-     */
-    static void
-    declare_parameters(dealii::ParameterHandler       &prm,
-                       const std::vector<std::string> &stage_names);
-
-    /**
-     * Fill `stages`. Throws InputError if the stages make no programme: names
+     * Complete the stages. Throws InputError if they make no programme: names
      * twice, an order other than weave, release, load, a load stage without
-     * target, a component prescribed twice, steps that contradict each other.
+     * target, steps that contradict each other.
      */
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    check();
+
+  private:
+    std::string names_; ///< as the file writes them
   };
 } // namespace NPT
 

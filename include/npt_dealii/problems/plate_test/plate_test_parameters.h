@@ -5,6 +5,7 @@
 #ifndef npt_dealii_problems_plate_test_plate_test_parameters_h
 #define npt_dealii_problems_plate_test_plate_test_parameters_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/contact/contact_parameters.h>
 #include <npt_dealii/fabric/cell_parameters.h>
@@ -23,25 +24,33 @@ namespace NPT
   /// Subsection "Output".
   struct OutputParameters
   {
+    /// When fields are written.
+    enum class Fields
+    {
+      none,
+      stages, ///< at the end of every stage
+      steps   ///< after every accepted load step
+    };
+
     std::string directory = "output";
-    std::string fields    = "stages"; ///< none, stages or steps
+    Fields      fields    = Fields::stages;
     bool        picture   = true;
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
   };
+
+  template <>
+  const EnumNames<OutputParameters::Fields> &
+  enum_names<OutputParameters::Fields>();
 
   /// Subsection "Stability".
   struct StabilityParameters
   {
     bool check_ellipticity = false;
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
   };
 
   /**
@@ -51,10 +60,11 @@ namespace NPT
    */
   struct PlateTestParameters
   {
-    CellParameters         cell;
-    MeshParameters         mesh;
-    MaterialParameters     material;
-    MaterialParameters     weft_material; ///< the same unless the file differs
+    CellParameters     cell;
+    MeshParameters     mesh;
+    MaterialParameters material;
+    /// The same unless the file differs.
+    MaterialParameters     weft_material = MaterialParameters("as warp");
     ContactParameters      contact;
     FrictionParameters     friction;
     LoadProgramme          load_programme;
@@ -70,6 +80,10 @@ namespace NPT
     /// The complete file with defaults, as it will be kept with the results.
     std::string used_file;
 
+    /// Bind all members to their entries.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
     /**
      * Read a parameter file (or its text) with overrides
      * 'Subsection/Entry=value', checking everything.
@@ -83,6 +97,11 @@ namespace NPT
     /// A documented parameter file with all defaults.
     static std::string
     documented_defaults();
+
+  private:
+    /// Cross-checks, and what the file leaves to the program.
+    void
+    complete();
   };
 } // namespace NPT
 

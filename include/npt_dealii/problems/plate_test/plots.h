@@ -7,6 +7,7 @@
 
 #include <npt_dealii/problems/plate_test/curve_writer.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,12 +41,12 @@ namespace NPT
   column_label(const std::string &column);
 
   /**
-   * Return the component, 0 to 5, whose loading drives the given rows: the one
-   * with the largest work |int n_i dH_i| per cell area. Stretches and
-   * curvatures have different units, their work has not. If no work is done,
-   * the component with the largest change; 6 if none changes.
+   * Return the mode whose loading drives the given rows: the one with the
+   * largest work |int n_i dH_i| per cell area. Membrane strains and curvatures
+   * have different units, their work has not. If no work is done, the mode with
+   * the largest change; nothing if none changes.
    */
-  unsigned int
+  std::optional<unsigned int>
   driving_component(const std::vector<CurveRow> &rows);
 
   /**
@@ -53,8 +54,8 @@ namespace NPT
    * share theirs, so that a cycle shows as a loop): the driving component
    * against its conjugate, and what happens meanwhile: sticking and sliding
    * contact points with the dissipation, or without contact the normal
-   * resultants n1 and n2. A stage in which no H changes is drawn over its load
-   * factor. Stages with fewer than two rows are left out.
+   * resultants of the extensions. A stage in which no H changes is drawn over
+   * its load factor. Stages with fewer than two rows are left out.
    */
   std::vector<PlotSpec>
   default_plots(const std::vector<CurveRow> &rows);

@@ -21,8 +21,8 @@ namespace NPT
     explicit StepTable(RunLog &log);
 
     /**
-     * Choose the components of H, 0 to 5, that the table shows. Without a
-     * choice each line shows the component of largest magnitude.
+     * Choose the modes whose gradients the table shows. Without a choice each
+     * line shows the gradient of largest magnitude.
      */
     void
     show_components(const std::vector<unsigned int> &components);

@@ -5,6 +5,7 @@
 #ifndef npt_dealii_verification_contact_contact_benchmark_parameters_h
 #define npt_dealii_verification_contact_contact_benchmark_parameters_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/contact/contact_parameters.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
@@ -33,6 +34,10 @@ namespace NPT
     ironing
   };
 
+  template <>
+  const EnumNames<ContactCase> &
+  enum_names<ContactCase>();
+
   /// Subsections "Benchmark", "Upper body" and "Lower body".
   struct ContactCaseParameters
   {
@@ -49,6 +54,13 @@ namespace NPT
         return NeoHookeanConstants::from_young_and_poisson(young_modulus,
                                                            poisson_ratio);
       }
+
+      void
+      add_parameters(dealii::ParameterHandler &prm,
+                     const std::string        &subsection);
+
+      void
+      check(const std::string &subsection) const;
     };
 
     ContactCase  type        = ContactCase::cylinders;
@@ -64,10 +76,13 @@ namespace NPT
     unsigned int load_steps  = 10;
     Body         upper, lower;
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    /// Bind the members to the entries of the three subsections.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Throws InputError for sizes with which the case cannot be posed.
+    void
+    check() const;
   };
 
   /// Subsection "Output" of a contact benchmark.
@@ -77,24 +92,29 @@ namespace NPT
     bool        picture   = true;
     bool        fields    = false;
 
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    /// Bind the members to the entries of the subsection.
     void
-    parse_parameters(dealii::ParameterHandler &prm);
+    add_parameters(dealii::ParameterHandler &prm);
   };
 
   /// A contact benchmark, `set Problem = contact benchmark`.
   struct ContactBenchmarkParameters
   {
-    ContactCaseParameters   benchmark;
-    ContactParameters       contact;
-    FrictionParameters      friction;
-    NewtonParameters        newton;
+    ContactCaseParameters benchmark;
+    ContactParameters     contact;
+    FrictionParameters    friction;
+    /// Errors of the formulation are to be seen, not those of the iteration;
+    /// small bodies have small forces.
+    NewtonParameters        newton = {1e-9, 1e-20};
     LinearSolverParameters  linear_solver;
     ContactOutputParameters output;
 
     /// The complete file with defaults, as it will be kept with the results.
     std::string used_file;
+
+    /// Bind all members to their entries.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError with one sentence for the first mistake.
     static ContactBenchmarkParameters

@@ -5,6 +5,7 @@
 #ifndef npt_dealii_verification_solids_exact_solids_h
 #define npt_dealii_verification_solids_exact_solids_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/material/make_material.h>
 
 #include <deal.II/base/point.h>
@@ -128,9 +129,9 @@ namespace NPT
     simple_shear ///< F = 1 + gamma e_1 (x) e_2
   };
 
-  /// "uniaxial", "equibiaxial", "dilation", "simple shear".
-  HomogeneousMode
-  homogeneous_mode_from_name(const std::string &name);
+  template <>
+  const EnumNames<HomogeneousMode> &
+  enum_names<HomogeneousMode>();
 
   struct HomogeneousState
   {

@@ -4,6 +4,7 @@
 #ifndef npt_dealii_verification_solids_solid_benchmark_parameters_h
 #define npt_dealii_verification_solids_solid_benchmark_parameters_h
 
+#include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/iga/iga_space.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
@@ -34,24 +35,31 @@ namespace NPT
     double      inner_radius = 1;                 ///< [mm]
     double      outer_size   = 4;                 ///< [mm]
     double      load         = 1;                 ///< T or p [MPa]
-    std::vector<std::pair<std::string, Basis>> bases;
-    std::vector<unsigned int>                  degrees;
-    std::vector<unsigned int>                  n_elements; ///< increasing
-    unsigned int                               radial_factor           = 1;
-    unsigned int                               additional_gauss_points = 0;
-    double                                     rate_tolerance          = 0.1;
+    std::vector<std::pair<std::string, Basis>> bases = {
+      {"NURBS", Basis::NURBS},
+      {"Bernstein", Basis::Bernstein},
+      {"Lagrange", Basis::Lagrange}};
+    std::vector<unsigned int> degrees       = {2, 3, 4};
+    std::vector<unsigned int> n_elements    = {4, 8, 16}; ///< increasing
+    unsigned int              radial_factor = 1;
+    unsigned int              additional_gauss_points = 0;
+    double                    rate_tolerance          = 0.1;
 
     /// Subsection "Homogeneous states", for the block.
-    std::vector<std::pair<std::string, HomogeneousMode>> modes;
-    std::vector<unsigned int>                            fiber_axes; ///< from 0
-    double                                               stretch = 1.1; ///< [-]
-    double         shear            = 0.2; ///< gamma [-]
-    double         distortion       = 0.25;
-    double         stress_tolerance = 1e-9; ///< relative
-    StepParameters steps;
+    std::vector<std::pair<std::string, HomogeneousMode>> modes = {
+      {"uniaxial", HomogeneousMode::uniaxial},
+      {"equibiaxial", HomogeneousMode::equibiaxial},
+      {"dilation", HomogeneousMode::dilation},
+      {"simple shear", HomogeneousMode::simple_shear}};
+    std::vector<unsigned int> fiber_axes       = {0, 1}; ///< from 0
+    double                    stretch          = 1.1;    ///< [-]
+    double                    shear            = 0.2;    ///< gamma [-]
+    double                    distortion       = 0.25;
+    double                    stress_tolerance = 1e-9; ///< relative
+    StepParameters            steps            = {0.25, 1e-4, 0.25};
 
-    MaterialParameters     material;
-    NewtonParameters       newton;
+    MaterialParameters     material = MaterialParameters("neo-Hookean");
+    NewtonParameters       newton   = {1e-12, 1e-14};
     LinearSolverParameters linear_solver;
 
     std::string directory = "output-benchmark";
@@ -59,6 +67,10 @@ namespace NPT
 
     /// The complete file with defaults, as it will be kept with the results.
     std::string used_file;
+
+    /// Bind all members to their entries.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
 
     /**
      * Throws InputError with one sentence for the first mistake; besides what
@@ -70,7 +82,21 @@ namespace NPT
          const std::vector<std::string> &overrides = {});
     static std::string
     documented_defaults();
+
+  private:
+    void
+    add_convergence_parameters(dealii::ParameterHandler &prm);
+
+    void
+    add_block_parameters(dealii::ParameterHandler &prm);
+
+    void
+    check() const;
   };
+
+  template <>
+  const EnumNames<SolidBenchmarkParameters::Body> &
+  enum_names<SolidBenchmarkParameters::Body>();
 } // namespace NPT
 
 #endif
