@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Bezier extraction operators by knot insertion.
+// Defines Bezier extraction operators by knot insertion.
 
 #include <npt_dealii/iga/bezier_extraction.h>
 

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The isogeometric space: cells, extraction, and joined numbering.
+// Defines the isogeometric space: cells, extraction, and joined numbering.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/iga/bezier_extraction.h>
+#include <npt_dealii/iga/element_table.h>
 #include <npt_dealii/iga/iga_space.h>
 
-#include <deal.II/base/polynomials_bernstein.h>
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_bernstein.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_tools.h>
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -19,13 +16,152 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
+#include <memory>
+#include <set>
 
 namespace NPT
 {
   using dealii::FullMatrix;
   using dealii::Point;
+  using dealii::numbers::invalid_unsigned_int;
   namespace bgi = boost::geometry::index;
+
+  namespace
+  {
+    /**
+     * FE_Bernstein on patches that are joined in any orientation. From degree 3
+     * on a face has degrees of freedom whose order depends on how the neighbor
+     * sees it. FE_Q has the tables for that; FE_Bernstein, which numbers its
+     * functions alike, leaves them empty (deal.II 9.4).
+     */
+    template <int dim>
+    class BernsteinElement : public dealii::FE_Bernstein<dim>
+    {
+    public:
+      explicit BernsteinElement(const unsigned int p)
+        : dealii::FE_Bernstein<dim>(p)
+      {
+        this->initialize_quad_dof_index_permutation();
+      }
+
+      std::unique_ptr<dealii::FiniteElement<dim>>
+      clone() const override
+      {
+        return std::make_unique<BernsteinElement<dim>>(*this);
+      }
+    };
+
+
+
+    /**
+     * Numbers for the points of one patch after the other. Points on patch
+     * boundaries that coincide get one number if their patches belong to one
+     * body. Points of one patch are never joined with each other, not even by
+     * way of a neighbor: a closed ring within one patch keeps its seam, a pole
+     * its points. Where several points coincide the first free one is taken.
+     */
+    template <int dim>
+    class PointJoiner
+    {
+    public:
+      PointJoiner(const std::vector<unsigned int> &bodies,
+                  const double                     tolerance)
+        : bodies_(bodies)
+        , tolerance_(tolerance)
+        , trees_(*std::max_element(bodies.begin(), bodies.end()) + 1)
+        , patches_of_body_(trees_.size(), 0)
+      {
+        for (const unsigned int b : bodies)
+          ++patches_of_body_[b];
+      }
+
+      /**
+       * @param points A lattice with n points per direction, lexicographic.
+       * @return Their numbers; a number as large as points() was before is new.
+       */
+      std::vector<unsigned int>
+      add(const unsigned int                   patch,
+          const std::array<unsigned int, dim> &n,
+          const std::vector<Point<dim>>       &points)
+      {
+        const unsigned int        body = bodies_[patch];
+        std::vector<unsigned int> numbers;
+        std::vector<Entry>        added;
+        std::set<unsigned int>    taken;
+        for (unsigned int l = 0; l < points.size(); ++l)
+          {
+            bool         on_boundary = false;
+            unsigned int rest        = l;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                const unsigned int i = rest % n[d];
+                on_boundary          = on_boundary || i == 0 || i + 1 == n[d];
+                rest /= n[d];
+              }
+            const bool   may_join = patches_of_body_[body] > 1 && on_boundary;
+            unsigned int known =
+              may_join ? find(body, points[l], taken) : invalid_unsigned_int;
+            if (known == invalid_unsigned_int)
+              {
+                known = points_.size();
+                points_.push_back(points[l]);
+                if (may_join)
+                  added.emplace_back(at(points[l], 0.), known);
+              }
+            else
+              taken.insert(known);
+            numbers.push_back(known);
+          }
+        trees_[body].insert(added.begin(), added.end());
+        return numbers;
+      }
+
+      /// By number; the first of those joined.
+      const std::vector<Point<dim>> &
+      points() const
+      {
+        return points_;
+      }
+
+    private:
+      using BPoint = boost::geometry::model::
+        point<double, 3, boost::geometry::cs::cartesian>;
+      using Entry = std::pair<BPoint, unsigned int>;
+
+      static BPoint
+      at(const Point<dim> &P, const double shift)
+      {
+        return BPoint(P[0] + shift,
+                      P[1] + shift,
+                      (dim == 3 ? P[dim - 1] : 0.) + shift);
+      }
+
+      unsigned int
+      find(const unsigned int            body,
+           const Point<dim>             &P,
+           const std::set<unsigned int> &taken) const
+      {
+        const boost::geometry::model::box<BPoint> box(at(P, -tolerance_),
+                                                      at(P, tolerance_));
+        std::vector<Entry>                        found;
+        trees_[body].query(bgi::intersects(box), std::back_inserter(found));
+        unsigned int first = invalid_unsigned_int;
+        for (const Entry &entry : found)
+          if (taken.count(entry.second) == 0)
+            first = std::min(first, entry.second);
+        return first;
+      }
+
+      const std::vector<unsigned int>               &bodies_;
+      const double                                   tolerance_;
+      std::vector<bgi::rtree<Entry, bgi::rstar<16>>> trees_; // by body
+      std::vector<unsigned int>                      patches_of_body_;
+      std::vector<Point<dim>>                        points_;
+    };
+  } // namespace
+
+
 
   template <>
   const EnumNames<Basis> &
@@ -46,6 +182,7 @@ namespace NPT
     : basis_(basis)
     , patches_(patches)
     , bodies_(bodies)
+    , tolerance_(0.)
   {
     AssertThrow(!patches.empty(), dealii::ExcMessage("At least one patch."));
     if (bodies_.empty())
@@ -55,162 +192,284 @@ namespace NPT
 
     for (unsigned int i = 0; i < patches_.size(); ++i)
       {
-        patches_[i].make_isotropic();
-        if (basis != Basis::NURBS)
-          patches_[i].reduce_to_c0();
-        const unsigned int p = degree(i);
-
-        if (basis == Basis::Lagrange)
-          elements_.push_back(std::make_unique<dealii::FE_Q<dim>>(p));
-        else
-          elements_.push_back(std::make_unique<dealii::FE_Bernstein<dim>>(p));
-        lexicographic_.push_back(
-          dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(p));
-
-        if (basis == Basis::Lagrange)
-          {
-            const auto nodes = dealii::QGaussLobatto<1>(p + 1).get_points();
-            polynomials_.push_back(
-              dealii::Polynomials::generate_complete_Lagrange_basis(nodes));
-            // Nodes on the geometry instead of control points beside it.
-            NURBSPatch<dim>        &patch = patches_[i];
-            std::vector<Point<dim>> positions;
-            for (unsigned int A = 0; A < patch.n_control_points(); ++A)
-              {
-                const auto index = patch.multi_index(A);
-                Point<dim> u;
-                for (unsigned int d = 0; d < dim; ++d)
-                  {
-                    const auto        &breaks = patch.knot_vector(d).breaks();
-                    const unsigned int e =
-                      std::min(index[d] / p,
-                               patch.knot_vector(d).n_spans() - 1);
-                    u[d] = breaks[e] + (breaks[e + 1] - breaks[e]) *
-                                         nodes[index[d] - e * p][0];
-                  }
-                positions.push_back(patch.value(u));
-              }
-            patch = NURBSPatch<dim>(patch.knot_vectors(), positions);
-          }
-        else
-          {
-            std::vector<dealii::Polynomials::Polynomial<double>> bernstein;
-            for (unsigned int b = 0; b <= p; ++b)
-              bernstein.push_back(dealii::PolynomialsBernstein<double>(b, p));
-            polynomials_.push_back(bernstein);
-          }
-
-        std::array<std::vector<FullMatrix<double>>, dim> operators;
-        std::array<unsigned int, dim>                    n_spans;
-        unsigned int                                     n_cells = 1;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            operators[d] =
-              bezier_extraction_operators(patches_[i].knot_vector(d));
-            n_spans[d] = patches_[i].knot_vector(d).n_spans();
-            n_cells *= n_spans[d];
-          }
-        extraction_.push_back(operators);
-
-        for (unsigned int c = 0; c < n_cells; ++c)
-          {
-            Cell         cell;
-            unsigned int rest = c;
-            cell.patch        = i;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                cell.span[d] = rest % n_spans[d];
-                rest /= n_spans[d];
-              }
-            cells_.push_back(cell);
-          }
+        prepare_patch(i);
+        add_cells(i);
       }
-    merge_control_points();
-    check_interfaces();
+    double size = 0;
+    for (const auto &patch : patches_)
+      for (const Point<dim> &P : patch.control_points())
+        size = std::max(size, P.distance(patches_[0].control_points()[0]));
+    tolerance_ = 1e-9 * size;
+
     make_triangulation();
+    if (basis == Basis::NURBS)
+      number_splines();
+    else
+      number_elements();
+    check_weights();
+    check_interfaces();
+    check_positions();
   }
 
 
 
   template <int dim>
   void
-  IGASpace<dim>::merge_control_points()
+  IGASpace<dim>::prepare_patch(const unsigned int i)
   {
-    using BPoint =
-      boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-    using Box = boost::geometry::model::box<BPoint>;
+    patches_[i].make_isotropic();
+    if (basis_ != Basis::NURBS)
+      patches_[i].reduce_to_c0();
 
-    double size = 0;
-    for (const auto &patch : patches_)
-      for (const Point<dim> &P : patch.control_points())
-        size = std::max(size, P.distance(patches_[0].control_points()[0]));
-    const double tolerance = 1e-9 * size;
+    const unsigned int p = degree(i);
+    if (element_of_degree_.emplace(p, elements_.size()).second)
+      {
+        if (basis_ == Basis::Lagrange)
+          elements_.push_back(dealii::FE_Q<dim>(p));
+        else
+          elements_.push_back(BernsteinElement<dim>(p));
+        polynomials_.push_back(polynomials_of(elements_[elements_.size() - 1]));
+      }
+    if (basis_ == Basis::Lagrange)
+      place_nodes(i);
+  }
 
-    // One tree per body; only control points on patch boundaries can join.
-    std::vector<bgi::rtree<std::pair<BPoint, unsigned int>, bgi::rstar<16>>>
-      trees(*std::max_element(bodies_.begin(), bodies_.end()) + 1);
-    std::vector<unsigned int> patches_of_body(trees.size(), 0);
-    for (const unsigned int b : bodies_)
-      ++patches_of_body[b];
 
+
+  template <int dim>
+  void
+  IGASpace<dim>::place_nodes(const unsigned int i)
+  {
+    // Along the first direction the support points of the element have the
+    // coordinates of its one-dimensional nodes.
+    const unsigned int p     = degree(i);
+    const auto        &nodes = reference_element(i).get_unit_support_points();
+    const auto         order = lexicographic_numbering(reference_element(i));
+
+    NURBSPatch<dim>        &patch = patches_[i];
+    std::vector<Point<dim>> positions;
+    for (unsigned int A = 0; A < patch.n_control_points(); ++A)
+      {
+        const auto index = patch.multi_index(A);
+        Point<dim> u;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const auto        &breaks = patch.knot_vector(d).breaks();
+            const unsigned int e =
+              std::min(index[d] / p, patch.knot_vector(d).n_spans() - 1);
+            u[d] = breaks[e] + (breaks[e + 1] - breaks[e]) *
+                                 nodes[order[index[d] - e * p]][0];
+          }
+        positions.push_back(patch.value(u));
+      }
+    patch = NURBSPatch<dim>(patch.knot_vectors(), positions);
+  }
+
+
+
+  template <int dim>
+  void
+  IGASpace<dim>::add_cells(const unsigned int i)
+  {
+    std::array<std::vector<FullMatrix<double>>, dim> operators;
+    std::array<unsigned int, dim>                    n_spans;
+    unsigned int                                     n_cells = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        operators[d] = bezier_extraction_operators(patches_[i].knot_vector(d));
+        n_spans[d]   = patches_[i].knot_vector(d).n_spans();
+        n_cells *= n_spans[d];
+      }
+    extraction_.push_back(operators);
+
+    for (unsigned int c = 0; c < n_cells; ++c)
+      {
+        Cell         cell;
+        unsigned int rest = c;
+        cell.patch        = i;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            cell.span[d] = rest % n_spans[d];
+            rest /= n_spans[d];
+          }
+        cells_.push_back(cell);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  IGASpace<dim>::make_triangulation()
+  {
+    // Corners of the spans, joined like the control points.
+    PointJoiner<dim>                           joiner(bodies_, tolerance_);
+    std::vector<std::vector<unsigned int>>     numbers;
+    std::vector<std::array<unsigned int, dim>> n_corners(patches_.size());
     for (unsigned int i = 0; i < patches_.size(); ++i)
       {
-        auto                                        &tree = trees[bodies_[i]];
-        std::vector<unsigned int>                    numbers;
-        std::vector<std::pair<BPoint, unsigned int>> added;
-        for (unsigned int A = 0; A < patches_[i].n_control_points(); ++A)
+        unsigned int n = 1;
+        for (unsigned int d = 0; d < dim; ++d)
           {
-            const Point<dim> &P           = patches_[i].control_points()[A];
-            const auto        index       = patches_[i].multi_index(A);
-            bool              on_boundary = false;
-            for (unsigned int d = 0; d < dim; ++d)
-              on_boundary = on_boundary || index[d] == 0 ||
-                            index[d] + 1 == patches_[i].n_control_points(d);
-
-            int known = -1;
-            if (patches_of_body[bodies_[i]] > 1 && on_boundary)
-              {
-                const double z = dim == 3 ? P[dim - 1] : 0.;
-                const BPoint low(P[0] - tolerance,
-                                 P[1] - tolerance,
-                                 z - tolerance);
-                const BPoint high(P[0] + tolerance,
-                                  P[1] + tolerance,
-                                  z + tolerance);
-                std::vector<std::pair<BPoint, unsigned int>> found;
-                tree.query(bgi::intersects(Box(low, high)),
-                           std::back_inserter(found));
-                if (!found.empty())
-                  known = found[0].second;
-                else
-                  added.emplace_back(BPoint(P[0], P[1], z),
-                                     control_points_.size());
-              }
-            if (known >= 0)
-              {
-                if (!(std::abs(weights_[known] - patches_[i].weights()[A]) <
-                      1e-9 * weights_[known]))
-                  throw InputError(
-                    "Joined patches must have equal weights where they meet; "
-                    "patch " +
-                    std::to_string(i) + " has " +
-                    std::to_string(patches_[i].weights()[A]) +
-                    " where the weight is " + std::to_string(weights_[known]) +
-                    ".");
-                numbers.push_back(known);
-              }
-            else
-              {
-                numbers.push_back(control_points_.size());
-                control_points_.push_back(P);
-                weights_.push_back(patches_[i].weights()[A]);
-              }
+            n_corners[i][d] = patches_[i].knot_vector(d).n_spans() + 1;
+            n *= n_corners[i][d];
           }
-        // Inserted only now: points of one patch are never joined with each
-        // other (a closed ring within one patch keeps its seam).
-        tree.insert(added.begin(), added.end());
-        local_to_global_.push_back(numbers);
+        std::vector<Point<dim>> corners;
+        for (unsigned int l = 0; l < n; ++l)
+          {
+            Point<dim>   u;
+            unsigned int rest = l;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                u[d] =
+                  patches_[i].knot_vector(d).breaks()[rest % n_corners[i][d]];
+                rest /= n_corners[i][d];
+              }
+            corners.push_back(patches_[i].value(u));
+          }
+        numbers.push_back(joiner.add(i, n_corners[i], corners));
       }
+
+    std::vector<dealii::CellData<dim>> cell_data;
+    for (const Cell &cell : cells_)
+      {
+        const auto           &n = n_corners[cell.patch];
+        dealii::CellData<dim> data;
+        data.material_id = cell.patch;
+        for (unsigned int v = 0; v < data.vertices.size(); ++v)
+          {
+            unsigned int l = 0;
+            for (unsigned int d = dim; d-- > 0;)
+              l = l * n[d] + cell.span[d] + ((v >> d) & 1);
+            data.vertices[v] = numbers[cell.patch][l];
+          }
+        cell_data.push_back(data);
+      }
+    triangulation_.create_triangulation(joiner.points(),
+                                        cell_data,
+                                        dealii::SubCellData());
+    AssertDimension(triangulation_.n_active_cells(), cells_.size());
+  }
+
+
+
+  template <int dim>
+  void
+  IGASpace<dim>::number_splines()
+  {
+    PointJoiner<dim> joiner(bodies_, tolerance_);
+    for (unsigned int i = 0; i < patches_.size(); ++i)
+      {
+        std::array<unsigned int, dim> n;
+        for (unsigned int d = 0; d < dim; ++d)
+          n[d] = patches_[i].n_control_points(d);
+        local_to_global_.push_back(
+          joiner.add(i, n, patches_[i].control_points()));
+        for (unsigned int A = 0; A < patches_[i].n_control_points(); ++A)
+          if (local_to_global_[i][A] == weights_.size())
+            weights_.push_back(patches_[i].weights()[A]);
+      }
+    control_points_ = joiner.points();
+
+    for (const Cell &cell : cells_)
+      {
+        const unsigned int n =
+          dealii::Utilities::fixed_power<dim>(degree(cell.patch) + 1);
+        std::vector<unsigned int> indices;
+        indices.reserve(n);
+        for (unsigned int l = 0; l < n; ++l)
+          indices.push_back(
+            local_to_global_[cell.patch][lattice_position(cell, l)]);
+        control_points_of_cell_.push_back(indices);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  IGASpace<dim>::number_elements()
+  {
+    dof_handler_.reinit(triangulation_);
+    for (const auto &cell : dof_handler_.active_cell_iterators())
+      cell->set_active_fe_index(
+        element_of_degree_.at(degree(cell->material_id())));
+    dof_handler_.distribute_dofs(elements_);
+
+    for (const auto &patch : patches_)
+      local_to_global_.emplace_back(patch.n_control_points());
+    for (const auto &cell : dof_handler_.active_cell_iterators())
+      {
+        const auto order = lexicographic_numbering(cell->get_fe());
+        std::vector<dealii::types::global_dof_index> dofs(order.size());
+        cell->get_dof_indices(dofs);
+        std::vector<unsigned int> indices;
+        for (unsigned int l = 0; l < order.size(); ++l)
+          {
+            indices.push_back(dofs[order[l]]);
+            local_to_global_[cell->material_id()][lattice_position(
+              cells_[cell->active_cell_index()], l)] = indices.back();
+          }
+        control_points_of_cell_.push_back(indices);
+      }
+
+    // The order of the patches' control points, so that runs with the C0 bases
+    // and with splines number alike.
+    std::vector<dealii::types::global_dof_index> new_numbers(
+      dof_handler_.n_dofs(), dealii::numbers::invalid_dof_index);
+    for (unsigned int i = 0; i < patches_.size(); ++i)
+      for (unsigned int A = 0; A < patches_[i].n_control_points(); ++A)
+        {
+          unsigned int &number = local_to_global_[i][A];
+          if (new_numbers[number] == dealii::numbers::invalid_dof_index)
+            {
+              new_numbers[number] = control_points_.size();
+              control_points_.push_back(patches_[i].control_points()[A]);
+              weights_.push_back(patches_[i].weights()[A]);
+            }
+          number = new_numbers[number];
+        }
+    AssertDimension(control_points_.size(), dof_handler_.n_dofs());
+    dof_handler_.renumber_dofs(new_numbers);
+    for (auto &indices : control_points_of_cell_)
+      for (unsigned int &index : indices)
+        index = new_numbers[index];
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  IGASpace<dim>::lattice_position(const Cell &cell, unsigned int l) const
+  {
+    const NURBSPatch<dim>        &patch = patches_[cell.patch];
+    const unsigned int            n     = degree(cell.patch) + 1;
+    std::array<unsigned int, dim> i;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        i[d] = patch.knot_vector(d).first_function(cell.span[d]) + l % n;
+        l /= n;
+      }
+    return patch.index(i);
+  }
+
+
+
+  template <int dim>
+  void
+  IGASpace<dim>::check_weights() const
+  {
+    for (unsigned int i = 0; i < patches_.size(); ++i)
+      for (unsigned int A = 0; A < patches_[i].n_control_points(); ++A)
+        {
+          const double weight = weights_[local_to_global_[i][A]];
+          if (!(std::abs(weight - patches_[i].weights()[A]) < 1e-9 * weight))
+            throw InputError(
+              "Joined patches must have equal weights where they meet; patch " +
+              std::to_string(i) + " has " +
+              std::to_string(patches_[i].weights()[A]) +
+              " where the weight is " + std::to_string(weight) + ".");
+        }
   }
 
 
@@ -286,72 +545,51 @@ namespace NPT
 
   template <int dim>
   void
-  IGASpace<dim>::make_triangulation()
+  IGASpace<dim>::check_positions() const
   {
-    std::vector<dealii::Triangulation<dim>>         pieces(patches_.size());
-    std::vector<const dealii::Triangulation<dim> *> pointers;
-    double                                          offset = 0;
+    // Splines are joined by position (in boxes, hence the factor), elements by
+    // the corners of cells.
     for (unsigned int i = 0; i < patches_.size(); ++i)
-      {
-        std::vector<std::vector<double>> steps(dim);
-        Point<dim>                       low, high;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const auto &breaks = patches_[i].knot_vector(d).breaks();
-            for (unsigned int e = 0; e + 1 < breaks.size(); ++e)
-              steps[d].push_back(breaks[e + 1] - breaks[e]);
-            low[d]  = breaks.front();
-            high[d] = breaks.back();
-          }
-        dealii::GridGenerator::subdivided_hyper_rectangle(pieces[i],
-                                                          steps,
-                                                          low,
-                                                          high);
-        // Patches share the parameter interval: set side by side they cannot
-        // be merged by accident.
-        dealii::Tensor<1, dim> shift;
-        shift[0] = offset - low[0];
-        dealii::GridTools::shift(shift, pieces[i]);
-        offset += 2. * (high[0] - low[0]);
-        for (const auto &cell : pieces[i].active_cell_iterators())
-          cell->set_material_id(i);
-        pointers.push_back(&pieces[i]);
-      }
-    if (pieces.size() == 1)
-      triangulation_.copy_triangulation(pieces[0]);
-    else
-      dealii::GridGenerator::merge_triangulations(pointers,
-                                                  triangulation_,
-                                                  1e-12);
-    AssertDimension(triangulation_.n_active_cells(), cells_.size());
+      for (unsigned int A = 0; A < patches_[i].n_control_points(); ++A)
+        {
+          const double distance =
+            control_points_[local_to_global_[i][A]].distance(
+              patches_[i].control_points()[A]);
+          if (!(distance < 2. * tolerance_))
+            throw InputError(
+              "Cells of one body with common corners must have common control "
+              "points between them; patch " +
+              std::to_string(i) + " has one " + std::to_string(distance) +
+              " mm beside that of its neighbor. Split its spans there.");
+        }
   }
 
 
 
   template <int dim>
-  std::vector<unsigned int>
-  IGASpace<dim>::control_points_of_cell(const unsigned int c) const
+  FullMatrix<double>
+  IGASpace<dim>::bernstein_operator(const Cell        &cell,
+                                    const unsigned int direction) const
   {
-    const Cell            &cell  = cells_[c];
-    const NURBSPatch<dim> &patch = patches_[cell.patch];
-    const unsigned int     p     = degree(cell.patch);
+    if (basis_ != Basis::Lagrange)
+      return extraction_[cell.patch][direction][cell.span[direction]];
 
-    std::vector<unsigned int> result;
-    const unsigned int        n_local = std::pow(p + 1, dim) + 0.5;
-    result.reserve(n_local);
-    for (unsigned int l = 0; l < n_local; ++l)
-      {
-        std::array<unsigned int, dim> i;
-        unsigned int                  rest = l;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            i[d] = patch.knot_vector(d).first_function(cell.span[d]) +
-                   rest % (p + 1);
-            rest /= p + 1;
-          }
-        result.push_back(local_to_global_[cell.patch][patch.index(i)]);
-      }
-    return result;
+    // Lagrange polynomials are interpolated by Bernstein polynomials at p+1
+    // points.
+    const unsigned int p         = degree(cell.patch);
+    const auto        &lagrange  = local_polynomials(cell.patch);
+    const auto         bernstein = polynomials_of(dealii::FE_Bernstein<1>(p));
+    FullMatrix<double> V(p + 1, p + 1), L(p + 1, p + 1), X(p + 1, p + 1);
+    for (unsigned int i = 0; i <= p; ++i)
+      for (unsigned int a = 0; a <= p; ++a)
+        {
+          const double x = static_cast<double>(i) / p;
+          V(a, i)        = bernstein[a].value(x);
+          L(a, i)        = lagrange[a].value(x);
+        }
+    V.gauss_jordan();
+    L.mmult(X, V);
+    return X;
   }
 
 
@@ -370,26 +608,9 @@ namespace NPT
     AssertDimension(coefficients.size(), n);
     const unsigned int n_components = coefficients[0].size();
 
-    // Bernstein coefficients per direction: N = C B for splines; Lagrange
-    // polynomials are interpolated by Bernstein polynomials at p+1 points.
     std::array<FullMatrix<double>, dim> C;
     for (unsigned int d = 0; d < dim; ++d)
-      if (basis_ == Basis::Lagrange)
-        {
-          FullMatrix<double> V(p + 1, p + 1), L(p + 1, p + 1), X(p + 1, p + 1);
-          for (unsigned int i = 0; i <= p; ++i)
-            for (unsigned int a = 0; a <= p; ++a)
-              {
-                const double x = static_cast<double>(i) / p;
-                V(a, i) = dealii::PolynomialsBernstein<double>(a, p).value(x);
-                L(a, i) = polynomials_[cell.patch][a].value(x);
-              }
-          V.gauss_jordan();
-          L.mmult(X, V);
-          C[d] = X;
-        }
-      else
-        C[d] = extraction_[cell.patch][d][cell.span[d]];
+      C[d] = bernstein_operator(cell, d);
 
     std::vector<std::vector<double>> bezier(n,
                                             std::vector<double>(n_components,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Surface functions from the extracted polynomials of each span.
+// Defines surface functions from the extracted polynomials of each span.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/iga/element_table.h>
 #include <npt_dealii/iga/iga_surface.h>
 
-#include <deal.II/base/polynomials_bernstein.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_bernstein.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,8 @@ namespace NPT
 
   namespace
   {
-    // Bounds of the arrays in evaluate(); a rounded kink has the functions of
-    // both spans.
+    // Bounds of the arrays in LineFunctions; a rounded kink has the functions
+    // of both spans.
     constexpr unsigned int max_p           = 7;
     constexpr unsigned int max_n_functions = 2 * max_p + 1;
 
@@ -45,6 +46,187 @@ namespace NPT
             }
         }
       return result;
+    }
+
+
+    // The functions of one direction and their first three derivatives.
+    struct LineFunctions
+    {
+      unsigned int first; // number of the first one in its direction
+      unsigned int n;
+      double       N[4][max_n_functions]; // [derivative][function]
+    };
+
+
+
+    // Horner's rule for polynomials of t and their derivatives with respect to
+    // u, du = h dt.
+    void
+    evaluate_polynomials(const std::vector<std::vector<double>> &coefficients,
+                         const double                            t,
+                         const double                            h,
+                         LineFunctions                          &functions)
+    {
+      functions.n = coefficients.size();
+      for (unsigned int i = 0; i < functions.n; ++i)
+        {
+          const std::vector<double> &c    = coefficients[i];
+          double                     v[4] = {0., 0., 0., 0.};
+          for (int k = c.size() - 1; k >= 0; --k)
+            {
+              v[3] = v[3] * t + 3 * v[2];
+              v[2] = v[2] * t + 2 * v[1];
+              v[1] = v[1] * t + v[0];
+              v[0] = v[0] * t + c[k];
+            }
+          double scale = 1;
+          for (unsigned int d = 0; d < 4; ++d)
+            {
+              functions.N[d][i] = v[d] * scale;
+              scale /= h;
+            }
+        }
+    }
+
+
+
+    template <int m>
+    void
+    resize(SurfaceShape<m>   &shape,
+           const unsigned int n,
+           const unsigned int n_derivatives)
+    {
+      shape.lattice.resize(n);
+      shape.value.resize(n);
+      if (n_derivatives >= 1)
+        for (auto &d : shape.first)
+          d.resize(n);
+      if (n_derivatives >= 2)
+        for (auto &d : shape.second)
+          d.resize(n);
+      if (n_derivatives >= 3)
+        for (auto &d : shape.third)
+          d.resize(n);
+    }
+
+
+
+    // A curve has the functions of its only direction.
+    void
+    multiply_directions(const std::array<LineFunctions, 1> &functions,
+                        const unsigned int /*row_length*/,
+                        const unsigned int n_derivatives,
+                        SurfaceShape<1>   &shape)
+    {
+      const LineFunctions &f = functions[0];
+      resize(shape, f.n, n_derivatives);
+      for (unsigned int i = 0; i < f.n; ++i)
+        {
+          shape.lattice[i] = f.first + i;
+          shape.value[i]   = f.N[0][i];
+          if (n_derivatives >= 1)
+            shape.first[0][i] = f.N[1][i];
+          if (n_derivatives >= 2)
+            shape.second[0][i] = f.N[2][i];
+          if (n_derivatives >= 3)
+            shape.third[0][i] = f.N[3][i];
+        }
+    }
+
+
+
+    // Products of the directions, the first one fastest. The lattice has rows
+    // of row_length control points.
+    void
+    multiply_directions(const std::array<LineFunctions, 2> &functions,
+                        const unsigned int                  row_length,
+                        const unsigned int                  n_derivatives,
+                        SurfaceShape<2>                    &shape)
+    {
+      const LineFunctions &f = functions[0], &g = functions[1];
+      resize(shape, f.n * g.n, n_derivatives);
+      for (unsigned int j = 0, l = 0; j < g.n; ++j)
+        for (unsigned int i = 0; i < f.n; ++i, ++l)
+          {
+            shape.lattice[l] = f.first + i + (g.first + j) * row_length;
+            shape.value[l]   = f.N[0][i] * g.N[0][j];
+            if (n_derivatives >= 1)
+              {
+                shape.first[0][l] = f.N[1][i] * g.N[0][j];
+                shape.first[1][l] = f.N[0][i] * g.N[1][j];
+              }
+            if (n_derivatives >= 2)
+              for (unsigned int k = 0; k <= 2; ++k)
+                shape.second[k][l] = f.N[2 - k][i] * g.N[k][j];
+            if (n_derivatives >= 3)
+              for (unsigned int k = 0; k <= 3; ++k)
+                shape.third[k][l] = f.N[3 - k][i] * g.N[k][j];
+          }
+    }
+
+
+
+    // Functions times their weights become rational ones by the quotient rule,
+    // one order after the other.
+    template <int m>
+    void
+    divide_by_weight_function(const std::vector<double> &weights,
+                              const unsigned int         n_derivatives,
+                              SurfaceShape<m>           &shape)
+    {
+      using Indices        = SymmetricIndices<m>;
+      const unsigned int n = shape.value.size();
+      double W = 0, W1[Indices::n_first] = {}, W2[Indices::n_second] = {},
+             W3[Indices::n_third] = {};
+      for (unsigned int l = 0; l < n; ++l)
+        {
+          const double w = weights[shape.lattice[l]];
+          W += shape.value[l] *= w;
+          if (n_derivatives >= 1)
+            for (unsigned int k = 0; k < Indices::n_first; ++k)
+              W1[k] += shape.first[k][l] *= w;
+          if (n_derivatives >= 2)
+            for (unsigned int k = 0; k < Indices::n_second; ++k)
+              W2[k] += shape.second[k][l] *= w;
+          if (n_derivatives >= 3)
+            for (unsigned int k = 0; k < Indices::n_third; ++k)
+              W3[k] += shape.third[k][l] *= w;
+        }
+      for (unsigned int l = 0; l < n; ++l)
+        {
+          const double R = shape.value[l] /= W;
+          if (n_derivatives >= 1)
+            for (unsigned int a = 0; a < m; ++a)
+              shape.first[a][l] = (shape.first[a][l] - R * W1[a]) / W;
+          if (n_derivatives >= 2)
+            for (unsigned int a = 0; a < m; ++a)
+              for (unsigned int b = a; b < m; ++b)
+                {
+                  double &R_ab = shape.second[Indices::second(a, b)][l];
+                  R_ab         = (R_ab - shape.first[a][l] * W1[b] -
+                          shape.first[b][l] * W1[a] -
+                          R * W2[Indices::second(a, b)]) /
+                         W;
+                }
+          if (n_derivatives >= 3)
+            for (unsigned int a = 0; a < m; ++a)
+              for (unsigned int b = a; b < m; ++b)
+                for (unsigned int c = b; c < m; ++c)
+                  {
+                    double &R_abc = shape.third[Indices::third(a, b, c)][l];
+                    const unsigned int ab = Indices::second(a, b),
+                                       ac = Indices::second(a, c),
+                                       bc = Indices::second(b, c);
+                    R_abc =
+                      (R_abc - shape.second[ab][l] * W1[c] -
+                       shape.second[ac][l] * W1[b] -
+                       shape.second[bc][l] * W1[a] -
+                       shape.first[a][l] * W2[bc] - shape.first[b][l] * W2[ac] -
+                       shape.first[c][l] * W2[ab] -
+                       R * W3[Indices::third(a, b, c)]) /
+                      W;
+                  }
+        }
     }
   } // namespace
 
@@ -100,9 +282,7 @@ namespace NPT
       throw InputError("A surface takes degrees up to " +
                        std::to_string(max_p) + "; found " + std::to_string(p) +
                        ".");
-    std::vector<dealii::Polynomials::Polynomial<double>> bernstein;
-    for (unsigned int b = 0; b <= p; ++b)
-      bernstein.push_back(dealii::PolynomialsBernstein<double>(b, p));
+    const auto bernstein = polynomials_of(dealii::FE_Bernstein<1>(p));
     for (unsigned int a = 0; a < m; ++a)
       {
         const auto &breaks = knots_[a].breaks();
@@ -260,142 +440,21 @@ namespace NPT
                             const std::array<unsigned int, m> *segment,
                             SurfaceShape<m>                   &shape) const
   {
-    using Indices = SymmetricIndices<m>;
-
-    // One-dimensional values and derivatives by Horner's rule.
-    double       N[m][4][max_n_functions];
-    unsigned int first_function[m], n_functions[m];
+    std::array<LineFunctions, m> N;
     for (unsigned int a = 0; a < m; ++a)
       {
         const unsigned int e =
           segment != nullptr ? (*segment)[a] : segments[a].find(u[a]);
-        const Segment &s  = segments[a].segments[e];
-        first_function[a] = s.first_function;
-        n_functions[a]    = s.coefficients.size();
-        const double h    = s.length;
-        const double t    = (u[a] - s.origin) / h;
-        for (unsigned int i = 0; i < n_functions[a]; ++i)
-          {
-            const std::vector<double> &c    = s.coefficients[i];
-            double                     v[4] = {0., 0., 0., 0.};
-            for (int k = c.size() - 1; k >= 0; --k)
-              {
-                v[3] = v[3] * t + 3 * v[2];
-                v[2] = v[2] * t + 2 * v[1];
-                v[1] = v[1] * t + v[0];
-                v[0] = v[0] * t + c[k];
-              }
-            double scale = 1;
-            for (unsigned int d = 0; d < 4; ++d)
-              {
-                N[a][d][i] = v[d] * scale;
-                scale /= h;
-              }
-          }
+        const Segment &s = segments[a].segments[e];
+        N[a].first       = s.first_function;
+        evaluate_polynomials(s.coefficients,
+                             (u[a] - s.origin) / s.length,
+                             s.length,
+                             N[a]);
       }
-
-    const unsigned int n1 = n_functions[0];
-    const unsigned int n  = m == 1 ? n1 : n1 * n_functions[m - 1];
-    shape.lattice.resize(n);
-    shape.value.resize(n);
-    if (n_derivatives >= 1)
-      for (auto &d : shape.first)
-        d.resize(n);
-    if (n_derivatives >= 2)
-      for (auto &d : shape.second)
-        d.resize(n);
-    if (n_derivatives >= 3)
-      for (auto &d : shape.third)
-        d.resize(n);
-
-    for (unsigned int l = 0; l < n; ++l)
-      {
-        const unsigned int i = l % n1;
-        if constexpr (m == 1)
-          {
-            shape.lattice[l] = first_function[0] + i;
-            shape.value[l]   = N[0][0][i];
-            if (n_derivatives >= 1)
-              shape.first[0][l] = N[0][1][i];
-            if (n_derivatives >= 2)
-              shape.second[0][l] = N[0][2][i];
-            if (n_derivatives >= 3)
-              shape.third[0][l] = N[0][3][i];
-          }
-        else
-          {
-            const unsigned int j = l / n1;
-            shape.lattice[l] =
-              first_function[0] + i +
-              (first_function[1] + j) * knots_[0].n_functions();
-            shape.value[l] = N[0][0][i] * N[1][0][j];
-            if (n_derivatives >= 1)
-              {
-                shape.first[0][l] = N[0][1][i] * N[1][0][j];
-                shape.first[1][l] = N[0][0][i] * N[1][1][j];
-              }
-            if (n_derivatives >= 2)
-              for (unsigned int k = 0; k <= 2; ++k)
-                shape.second[k][l] = N[0][2 - k][i] * N[1][k][j];
-            if (n_derivatives >= 3)
-              for (unsigned int k = 0; k <= 3; ++k)
-                shape.third[k][l] = N[0][3 - k][i] * N[1][k][j];
-          }
-      }
-    if (!rational)
-      return;
-
-    // Quotient rule, one order after the other.
-    double W = 0, W1[Indices::n_first] = {}, W2[Indices::n_second] = {},
-           W3[Indices::n_third] = {};
-    for (unsigned int l = 0; l < n; ++l)
-      {
-        const double w = weights_[shape.lattice[l]];
-        W += shape.value[l] *= w;
-        if (n_derivatives >= 1)
-          for (unsigned int k = 0; k < Indices::n_first; ++k)
-            W1[k] += shape.first[k][l] *= w;
-        if (n_derivatives >= 2)
-          for (unsigned int k = 0; k < Indices::n_second; ++k)
-            W2[k] += shape.second[k][l] *= w;
-        if (n_derivatives >= 3)
-          for (unsigned int k = 0; k < Indices::n_third; ++k)
-            W3[k] += shape.third[k][l] *= w;
-      }
-    for (unsigned int l = 0; l < n; ++l)
-      {
-        const double R = shape.value[l] /= W;
-        if (n_derivatives >= 1)
-          for (unsigned int a = 0; a < m; ++a)
-            shape.first[a][l] = (shape.first[a][l] - R * W1[a]) / W;
-        if (n_derivatives >= 2)
-          for (unsigned int a = 0; a < m; ++a)
-            for (unsigned int b = a; b < m; ++b)
-              {
-                double &R_ab = shape.second[Indices::second(a, b)][l];
-                R_ab =
-                  (R_ab - shape.first[a][l] * W1[b] -
-                   shape.first[b][l] * W1[a] - R * W2[Indices::second(a, b)]) /
-                  W;
-              }
-        if (n_derivatives >= 3)
-          for (unsigned int a = 0; a < m; ++a)
-            for (unsigned int b = a; b < m; ++b)
-              for (unsigned int c = b; c < m; ++c)
-                {
-                  double &R_abc = shape.third[Indices::third(a, b, c)][l];
-                  const unsigned int ab = Indices::second(a, b),
-                                     ac = Indices::second(a, c),
-                                     bc = Indices::second(b, c);
-                  R_abc =
-                    (R_abc - shape.second[ab][l] * W1[c] -
-                     shape.second[ac][l] * W1[b] - shape.second[bc][l] * W1[a] -
-                     shape.first[a][l] * W2[bc] - shape.first[b][l] * W2[ac] -
-                     shape.first[c][l] * W2[ab] -
-                     R * W3[Indices::third(a, b, c)]) /
-                    W;
-                }
-      }
+    multiply_directions(N, knots_[0].n_functions(), n_derivatives, shape);
+    if (rational)
+      divide_by_weight_function(weights_, n_derivatives, shape);
   }
 
 

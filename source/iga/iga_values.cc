@@ -1,232 +1,231 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Shape functions of a cell at its Gauss points.
+// Defines the shape functions of a cell at its Gauss points.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/iga/iga_values.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/fe/fe_bernstein.h>
 
 namespace NPT
 {
   using dealii::Point;
   using dealii::Tensor;
 
-  namespace
-  {
-    // Symmetric pairs (i,j) of second derivatives in a fixed order.
-    template <int dim>
-    std::vector<std::pair<unsigned int, unsigned int>>
-    pairs()
-    {
-      std::vector<std::pair<unsigned int, unsigned int>> result;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = i; j < dim; ++j)
-          result.emplace_back(i, j);
-      return result;
-    }
-  } // namespace
-
-
-
   template <int dim>
   IGAValues<dim>::IGAValues(const IGASpace<dim> &space,
-                            const unsigned int   n_points,
-                            const bool           second_derivatives)
+                            const unsigned int   n_points)
     : space_(space)
     , n_points_(n_points)
-    , second_derivatives_(second_derivatives)
-  {}
-
-
-
-  template <int dim>
-  const typename IGAValues<dim>::Tabulated &
-  IGAValues<dim>::tabulate(const unsigned int patch)
   {
-    const unsigned int p     = space_.degree(patch);
-    const auto         known = tables_.find(p);
-    if (known != tables_.end())
-      return known->second;
-
-    const dealii::QGauss<1> quadrature(n_points_ > 0 ? n_points_ : p + 1);
-    const auto             &polynomials = space_.local_polynomials(patch);
-
-    Tabulated table;
-    table.weights = quadrature.get_weights();
-    table.data.reinit(quadrature.size(), 3, p + 1);
-    std::vector<double> derivatives(3);
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-      for (unsigned int b = 0; b <= p; ++b)
-        {
-          polynomials[b].value(quadrature.point(q)[0], derivatives);
-          for (unsigned int k = 0; k < 3; ++k)
-            table.data(q, k, b) = derivatives[k];
-        }
-    return tables_.emplace(p, table).first->second;
+    for (unsigned int i = 0; i < space.n_patches(); ++i)
+      {
+        const unsigned int p   = space.degree(i);
+        const unsigned int n_q = n_points > 0 ? n_points : p + 1;
+        if (space.basis() == Basis::NURBS)
+          {
+            if (line_tables_.count(p) == 0)
+              line_tables_.emplace(p,
+                                   ElementTable<1>(dealii::FE_Bernstein<1>(p),
+                                                   dealii::QGauss<1>(n_q)));
+          }
+        else if (element_tables_.count(p) == 0)
+          element_tables_.emplace(p,
+                                  ElementTable<dim>(space.reference_element(i),
+                                                    dealii::QGauss<dim>(n_q)));
+      }
   }
 
 
 
   template <int dim>
   void
-  IGAValues<dim>::reinit(const unsigned int c)
+  IGAValues<dim>::reinit(const CellIterator &cell)
   {
-    const auto            &cell   = space_.cells()[c];
-    const NURBSPatch<dim> &patch  = space_.patch(cell.patch);
-    const Tabulated       &table  = tabulate(cell.patch);
-    const auto             second = pairs<dim>();
-    const unsigned int     p      = space_.degree(cell.patch);
-    const unsigned int     n_1    = p + 1;
-    const unsigned int     n_q_1  = table.weights.size();
-    const unsigned int     n_derivatives =
-      second_derivatives_ ? 1 + dim + second.size() : 1 + dim;
-    unsigned int n = 1, n_q = 1;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        n *= n_1;
-        n_q *= n_q_1;
-      }
+    Assert(&cell->get_triangulation() == &space_.triangulation(),
+           dealii::ExcMessage("A cell of another space."));
+    const unsigned int c = cell->active_cell_index();
+    indices_             = space_.control_points_of_cell(c);
+    if (space_.basis() == Basis::NURBS)
+      evaluate_splines(c);
+    else
+      evaluate_element(c);
 
-    indices_ = space_.control_points_of_cell(c);
+    // Splines are always divided by their sum; the twins are the functions of
+    // the element where they have no weights.
+    const bool divide = space_.basis() == Basis::NURBS ||
+                        space_.patch(cell->material_id()).is_rational();
+    const unsigned int n = indices_.size(), n_q = parametric_weight_.size();
     value_.reinit(n, n_q);
     gradient_.reinit(n, n_q);
-    if (second_derivatives_)
-      hessian_.reinit(n, n_q);
     jxw_.resize(n_q);
     position_.resize(n_q);
+    for (unsigned int q = 0; q < n_q; ++q)
+      {
+        if (divide)
+          divide_by_weight_function(q);
+        map_to_reference_configuration(c, q);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  IGAValues<dim>::evaluate_splines(const unsigned int c)
+  {
+    const auto            &cell  = space_.cells()[c];
+    const ElementTable<1> &table = line_tables_.at(space_.degree(cell.patch));
+    const unsigned int     n_1   = space_.degree(cell.patch) + 1;
+    const unsigned int     n_q_1 = table.weights.size();
 
     // B-splines of each direction and their parametric derivatives at its
     // Gauss points, N = C B: [point][derivative][function].
     std::array<std::vector<double>, dim> N_1;
-    double                               volume = 1;
+    parametric_volume_ = 1;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const auto  &breaks = patch.knot_vector(d).breaks();
+        const auto  &breaks = space_.patch(cell.patch).knot_vector(d).breaks();
         const double length = breaks[cell.span[d] + 1] - breaks[cell.span[d]];
         const auto &C = space_.extraction_operator(cell.patch, d, cell.span[d]);
-        volume *= length;
-        N_1[d].resize(n_q_1 * 3 * n_1);
+        parametric_volume_ *= length;
+        N_1[d].resize(n_q_1 * 2 * n_1);
         for (unsigned int q = 0; q < n_q_1; ++q)
-          {
-            double scale = 1;
-            for (unsigned int k = 0; k < 3; ++k)
-              {
-                for (unsigned int i = 0; i < n_1; ++i)
-                  {
-                    double sum = 0;
-                    for (unsigned int b = 0; b < n_1; ++b)
-                      sum += C(i, b) * table.data(q, k, b);
-                    N_1[d][(q * 3 + k) * n_1 + i] = scale * sum;
-                  }
-                scale /= length;
-              }
-          }
+          for (unsigned int i = 0; i < n_1; ++i)
+            {
+              double value = 0, derivative = 0;
+              for (unsigned int b = 0; b < n_1; ++b)
+                {
+                  value += C(i, b) * table.values(q, b);
+                  derivative += C(i, b) * table.gradients(q, b)[0];
+                }
+              N_1[d][(q * 2 + 0) * n_1 + i] = value;
+              N_1[d][(q * 2 + 1) * n_1 + i] = 1. / length * derivative;
+            }
       }
 
-    const std::vector<double>       &weights = space_.weights();
-    std::vector<std::vector<double>> N(n_derivatives, std::vector<double>(n));
+    // Products of the directions; the first one runs fastest.
+    const unsigned int n   = indices_.size();
+    const unsigned int n_q = dealii::Utilities::fixed_power<dim>(n_q_1);
+    functions_.reinit(n_q, 1 + dim, n);
+    parametric_weight_.resize(n_q);
     for (unsigned int q = 0; q < n_q; ++q)
       {
-        // Products of the directions; the first one runs fastest.
-        double point_weight = 1;
-        for (unsigned int k = 0; k < n_derivatives; ++k)
+        double                          weight = 1;
+        unsigned int                    rest_q = q;
+        std::array<const double *, dim> N_q;
+        for (unsigned int d = 0; d < dim; ++d)
           {
-            const double *factor[dim];
-            unsigned int  rest = q;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                unsigned int order = k == 1 + d ? 1 : 0;
-                if (k > dim)
-                  order = (second[k - 1 - dim].first == d ? 1 : 0) +
-                          (second[k - 1 - dim].second == d ? 1 : 0);
-                factor[d] = &N_1[d][((rest % n_q_1) * 3 + order) * n_1];
-                if (k == 0)
-                  point_weight *= table.weights[rest % n_q_1];
-                rest /= n_q_1;
-              }
-            for (unsigned int a = 0; a < n; ++a)
-              {
-                double       product = 1;
-                unsigned int index   = a;
-                for (unsigned int d = 0; d < dim; ++d)
-                  {
-                    product *= factor[d][index % n_1];
-                    index /= n_1;
-                  }
-                N[k][a] = product;
-              }
+            N_q[d] = &N_1[d][(rest_q % n_q_1) * 2 * n_1];
+            weight *= table.weights[rest_q % n_q_1];
+            rest_q /= n_q_1;
           }
-
-        // Rational functions by the quotient rule.
-        std::vector<double> W(n_derivatives, 0.);
-        for (unsigned int k = 0; k < n_derivatives; ++k)
+        parametric_weight_[q] = weight;
+        for (unsigned int k = 0; k < 1 + dim; ++k)
           for (unsigned int a = 0; a < n; ++a)
             {
-              N[k][a] *= weights[indices_[a]];
-              W[k] += N[k][a];
+              double       product = 1;
+              unsigned int rest_a  = a;
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  product *= N_q[d][(k == 1 + d ? n_1 : 0) + rest_a % n_1];
+                  rest_a /= n_1;
+                }
+              functions_(q, k, a) = product;
             }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  IGAValues<dim>::evaluate_element(const unsigned int c)
+  {
+    const auto              &cell = space_.cells()[c];
+    const ElementTable<dim> &table =
+      element_tables_.at(space_.degree(cell.patch));
+    const unsigned int n = indices_.size(), n_q = table.weights.size();
+
+    Tensor<1, dim> length;
+    parametric_volume_ = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const auto &breaks = space_.patch(cell.patch).knot_vector(d).breaks();
+        length[d]          = breaks[cell.span[d] + 1] - breaks[cell.span[d]];
+        parametric_volume_ *= length[d];
+      }
+    functions_.reinit(n_q, 1 + dim, n);
+    parametric_weight_.resize(n_q);
+    for (unsigned int q = 0; q < n_q; ++q)
+      {
+        parametric_weight_[q] = table.weights[q];
         for (unsigned int a = 0; a < n; ++a)
           {
-            const double R = N[0][a] / W[0];
-            N[0][a]        = R;
+            functions_(q, 0, a) = table.values(q, a);
             for (unsigned int d = 0; d < dim; ++d)
-              N[1 + d][a] = (N[1 + d][a] - R * W[1 + d]) / W[0];
-            for (unsigned int k = 1 + dim; k < n_derivatives; ++k)
-              {
-                const unsigned int i = second[k - 1 - dim].first;
-                const unsigned int j = second[k - 1 - dim].second;
-                N[k][a]              = (N[k][a] - N[1 + i][a] * W[1 + j] -
-                           N[1 + j][a] * W[1 + i] - R * W[k]) /
-                          W[0];
-              }
+              functions_(q, 1 + d, a) = table.gradients(q, a)[d] / length[d];
           }
+      }
+  }
 
-        // Reference geometry.
-        Tensor<2, dim>              J;
-        std::vector<Tensor<1, dim>> X_second(n_derivatives - 1 - dim);
-        Point<dim>                  X;
-        for (unsigned int a = 0; a < n; ++a)
-          {
-            const Point<dim> &P = space_.control_points()[indices_[a]];
-            X += N[0][a] * P;
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int d = 0; d < dim; ++d)
-                J[i][d] += N[1 + d][a] * P[i];
-            for (unsigned int k = 0; k < X_second.size(); ++k)
-              X_second[k] += N[1 + dim + k][a] * P;
-          }
-        const double det = determinant(J);
-        if (!(det > 0))
-          throw InvertedCell(
-            "the reference geometry of cell " + std::to_string(c) +
-            " is folded (det J = " + std::to_string(det) + ")");
-        const Tensor<2, dim> J_inverse = invert(J);
-        jxw_[q]                        = det * volume * point_weight;
-        position_[q]                   = X;
 
-        for (unsigned int a = 0; a < n; ++a)
-          {
-            value_(a, q) = N[0][a];
-            Tensor<1, dim> gradient;
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int d = 0; d < dim; ++d)
-                gradient[i] += J_inverse[d][i] * N[1 + d][a];
-            gradient_(a, q) = gradient;
 
-            if (second_derivatives_)
-              {
-                // d2R/dX2 = J^-T (d2R/dxi2 - dR/dX_k d2X_k/dxi2) J^-1.
-                Tensor<2, dim> parametric;
-                for (unsigned int k = 0; k < second.size(); ++k)
-                  {
-                    const double value =
-                      N[1 + dim + k][a] - gradient * X_second[k];
-                    parametric[second[k].first][second[k].second] = value;
-                    parametric[second[k].second][second[k].first] = value;
-                  }
-                hessian_(a, q) = transpose(J_inverse) * parametric * J_inverse;
-              }
-          }
+  template <int dim>
+  void
+  IGAValues<dim>::divide_by_weight_function(const unsigned int q)
+  {
+    const std::vector<double>  &weights = space_.weights();
+    const unsigned int          n       = indices_.size();
+    std::array<double, 1 + dim> W       = {};
+    for (unsigned int k = 0; k < 1 + dim; ++k)
+      for (unsigned int a = 0; a < n; ++a)
+        W[k] += functions_(q, k, a) *= weights[indices_[a]];
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        const double R      = functions_(q, 0, a) / W[0];
+        functions_(q, 0, a) = R;
+        for (unsigned int d = 0; d < dim; ++d)
+          functions_(q, 1 + d, a) =
+            (functions_(q, 1 + d, a) - R * W[1 + d]) / W[0];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  IGAValues<dim>::map_to_reference_configuration(const unsigned int c,
+                                                 const unsigned int q)
+  {
+    const unsigned int n = indices_.size();
+    Tensor<2, dim>     J;
+    Point<dim>         X;
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        const Point<dim> &P = space_.control_points()[indices_[a]];
+        X += functions_(q, 0, a) * P;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            J[i][d] += functions_(q, 1 + d, a) * P[i];
+      }
+    const double det = determinant(J);
+    if (!(det > 0))
+      throw InvertedCell("the reference geometry of cell " + std::to_string(c) +
+                         " is folded (det J = " + std::to_string(det) + ")");
+    const Tensor<2, dim> J_inverse = invert(J);
+    jxw_[q]      = det * parametric_volume_ * parametric_weight_[q];
+    position_[q] = X;
+
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        value_(a, q) = functions_(q, 0, a);
+        Tensor<1, dim> gradient;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            gradient[i] += J_inverse[d][i] * functions_(q, 1 + d, a);
+        gradient_(a, q) = gradient;
       }
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Knot vectors; algorithms after Piegl and Tiller, The NURBS Book, chapters 2
-// and 5.
+// Defines knot vectors; algorithms after Piegl and Tiller, The NURBS Book,
+// chapters 2 and 5.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/iga/knot_vector.h>

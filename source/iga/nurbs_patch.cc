@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// NURBS patches: evaluation and refinement in homogeneous coordinates.
+// Defines NURBS patches: evaluation and refinement in homogeneous coordinates.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/iga/nurbs_patch.h>

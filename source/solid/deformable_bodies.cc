@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Set-up and assembly of deformable bodies.
+// Defines the set-up and assembly of deformable bodies.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/iga/iga_values.h>
@@ -33,9 +33,9 @@ namespace NPT
     // Total Lagrangian: gradients in the reference configuration are computed
     // once for all.
     IGAValues<3> values(*space_, n_gauss_points);
-    for (unsigned int c = 0; c < space_->cells().size(); ++c)
+    for (const auto &span : space_->triangulation().active_cell_iterators())
       {
-        values.reinit(c);
+        values.reinit(span);
         CellGradients cell;
         cell.n_functions = values.dofs_per_cell();
         cell.n_points    = values.n_quadrature_points();
@@ -59,7 +59,7 @@ namespace NPT
             unknowns.push_back(3 * A + i);
         cell_unknowns_.push_back(unknowns);
         symmetry_weight_.push_back(
-          symmetry_weight ? symmetry_weight(space_->cells()[c].patch,
+          symmetry_weight ? symmetry_weight(span->material_id(),
                                             dealii::Point<3>(center / volume)) :
                             1);
         gradients_.push_back(std::move(cell));
@@ -108,15 +108,16 @@ namespace NPT
     SolidKernel         kernel;
     std::vector<double> w, f;
     double              square_of_forces = 0;
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
+    for (const auto &span : space_->triangulation().active_cell_iterators())
       {
+        const unsigned int c = span->active_cell_index();
         if (symmetry_weight_[c] == 0)
           continue;
         cell_displacement(c, u, w);
         try
           {
             kernel.evaluate(
-              *laws_[space_->cells()[c].patch], gradients_[c], w, f, nullptr);
+              *laws_[span->material_id()], gradients_[c], w, f, nullptr);
           }
         catch (const InvertedCell &)
           {
@@ -141,15 +142,16 @@ namespace NPT
     AssertDimension(groups.size(), gradients_.size());
     SolidKernel         kernel;
     std::vector<double> w, f, K;
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
+    for (const auto &span : space_->triangulation().active_cell_iterators())
       {
+        const unsigned int c = span->active_cell_index();
         if (symmetry_weight_[c] == 0)
           continue;
         cell_displacement(c, u, w);
         try
           {
             kernel.evaluate(
-              *laws_[space_->cells()[c].patch], gradients_[c], w, f, &K);
+              *laws_[span->material_id()], gradients_[c], w, f, &K);
           }
         catch (const InvertedCell &)
           {
@@ -166,14 +168,14 @@ namespace NPT
   {
     double              sum = 0;
     std::vector<double> w;
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
-      if (symmetry_weight_[c] > 0)
+    for (const auto &span : space_->triangulation().active_cell_iterators())
+      if (const unsigned int c = span->active_cell_index();
+          symmetry_weight_[c] > 0)
         {
           cell_displacement(c, u, w);
-          sum += symmetry_weight_[c] *
-                 SolidKernel::energy(*laws_[space_->cells()[c].patch],
-                                     gradients_[c],
-                                     w);
+          sum +=
+            symmetry_weight_[c] *
+            SolidKernel::energy(*laws_[span->material_id()], gradients_[c], w);
         }
     return sum;
   }
@@ -188,8 +190,9 @@ namespace NPT
     std::vector<double> w;
     double              F[9], P[9];
     MaterialPoint       point;
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
+    for (const auto &span : space_->triangulation().active_cell_iterators())
       {
+        const unsigned int c = span->active_cell_index();
         if (symmetry_weight_[c] == 0)
           continue;
         const CellGradients &cell = gradients_[c];
@@ -198,7 +201,7 @@ namespace NPT
         for (unsigned int q = 0; q < cell.n_points; ++q)
           {
             SolidKernel::deformation_gradient(cell, w, q, F);
-            laws_[space_->cells()[c].patch]->stress(F, P);
+            laws_[span->material_id()]->stress(F, P);
             point.q  = q;
             point.dV = symmetry_weight_[c] * cell.jxw[q];
             for (unsigned int e = 0; e < 9; ++e)
@@ -280,8 +283,9 @@ namespace NPT
   DeformableBodies::integrals_of_functions(const bool by_symmetry_weight) const
   {
     std::vector<double> integrals(space_->n_control_points(), 0.);
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
+    for (const auto &span : space_->triangulation().active_cell_iterators())
       {
+        const unsigned int   c    = span->active_cell_index();
         const CellGradients &cell = gradients_[c];
         const double factor = by_symmetry_weight ? symmetry_weight_[c] : 1.;
         for (unsigned int q = 0; q < cell.n_points; ++q)

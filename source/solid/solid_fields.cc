@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Fields of deformable bodies for VTU files.
+// Defines the fields of deformable bodies for VTU files.
 
 #include <npt_dealii/material/fiber_bundle_law.h>
 #include <npt_dealii/solid/solid_fields.h>
@@ -96,8 +96,9 @@ namespace NPT
   {
     std::vector<StateSum> sums(space.n_control_points());
     std::vector<double>   w;
-    for (unsigned int c = 0; c < space.cells().size(); ++c)
+    for (const auto &span : space.triangulation().active_cell_iterators())
       {
+        const unsigned int   c    = span->active_cell_index();
         const CellGradients &cell = gradients[c];
         const auto           A    = space.control_points_of_cell(c);
         w.resize(3 * A.size());
@@ -111,8 +112,7 @@ namespace NPT
             SolidKernel::deformation_gradient(cell, w, q, raw);
             for (unsigned int k = 0; k < 9; ++k)
               F[k / 3][k % 3] = raw[k];
-            const PointState state =
-              point_state(*laws[space.cells()[c].patch], F);
+            const PointState state = point_state(*laws[span->material_id()], F);
             for (unsigned int a = 0; a < A.size(); ++a)
               sums[A[a]].add(cell.values[q * cell.n_functions + a] *
                                cell.jxw[q],
@@ -151,9 +151,10 @@ namespace NPT
                               {"fiber_stretch", 1, {}},
                               {"fiber_shear", 1, {}}});
     mesh.cell_data.push_back({"bundle", 1, {}});
-    for (unsigned int c = 0; c < space.cells().size(); ++c)
+    for (const auto &span : space.triangulation().active_cell_iterators())
       {
-        const unsigned int               patch = space.cells()[c].patch;
+        const unsigned int               c     = span->active_cell_index();
+        const unsigned int               patch = span->material_id();
         const unsigned int               p     = space.degree(patch);
         const auto                       A = space.control_points_of_cell(c);
         std::vector<std::vector<double>> coefficients;

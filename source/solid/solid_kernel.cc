@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The cell kernel of a solid; its inner loops are the hot spot of the program.
+// Defines the cell kernel of a solid; its inner loops are the hot spot of the
+// program.
 
 #include <npt_dealii/solid/solid_kernel.h>
 

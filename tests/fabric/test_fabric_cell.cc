@@ -83,11 +83,11 @@ TEST_CASE("The volume of a lens bundle is its section times its length",
 
           std::vector<double> volume(space.n_patches(), 0.);
           IGAValues<3>        values(space);
-          for (unsigned int c = 0; c < space.cells().size(); ++c)
+          for (const auto &span : space.triangulation().active_cell_iterators())
             {
-              values.reinit(c);
+              values.reinit(span);
               for (unsigned int q = 0; q < values.n_quadrature_points(); ++q)
-                volume[space.cells()[c].patch] += values.JxW(q);
+                volume[span->material_id()] += values.JxW(q);
             }
           for (const double V : volume)
             CHECK(V == Approx(section * parameters.crossing_spacing.warp)
@@ -271,14 +271,14 @@ TEST_CASE("Symmetry weights count every point of the cell once", "[cell]")
           const IGASpace<3> space(patches(cell), {}, mesh.basis);
           IGAValues<3>      values(space);
           double            weighted = 0, volume = 0;
-          for (unsigned int c = 0; c < space.cells().size(); ++c)
+          for (const auto &span : space.triangulation().active_cell_iterators())
             {
-              values.reinit(c);
+              values.reinit(span);
               for (unsigned int q = 0; q < values.n_quadrature_points(); ++q)
                 {
                   volume += values.JxW(q);
                   weighted += values.JxW(q) *
-                              cell.symmetry_weight(space.cells()[c].patch,
+                              cell.symmetry_weight(span->material_id(),
                                                    values.quadrature_point(q));
                 }
             }

@@ -197,6 +197,15 @@ namespace IGATests
 
 
 
+  template <int dim>
+  typename dealii::Triangulation<dim>::active_cell_iterator
+  cell_of(const IGASpace<dim> &space, const unsigned int c)
+  {
+    return {&space.triangulation(), 0, static_cast<int>(c)};
+  }
+
+
+
   // The point with coordinates t in [0,1]^dim of a cell.
   template <int dim>
   Point<dim>

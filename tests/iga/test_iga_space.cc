@@ -2,9 +2,13 @@
 // Defines the tests of the discrete space: cells, joined control points,
 // reference elements, and Bezier coefficients.
 
+#include <npt_dealii/iga/element_table.h>
+
 #include <deal.II/base/polynomials_bernstein.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include "iga_test_tools.h"
@@ -38,7 +42,7 @@ namespace
         const IGASpace<dim> space({general_patch<dim>(true)}, {}, basis);
         const unsigned int  p          = space.degree(0);
         const auto         &element    = space.reference_element(0);
-        const auto         &order      = space.lexicographic_numbering(0);
+        const auto          order      = lexicographic_numbering(element);
         const auto         &polynomial = space.local_polynomials(0);
         REQUIRE(p == 3);
         REQUIRE(order.size() == element.n_dofs_per_cell());
@@ -97,27 +101,24 @@ namespace
     for (const auto &cell : space.triangulation().active_cell_iterators())
       {
         const unsigned int i = space.cells()[c].patch;
+        CHECK(cell->active_cell_index() == c);
         CHECK(cell->material_id() == i);
         for (const unsigned int v : cell->vertex_indices())
           {
             vertices[i].insert(cell->vertex_index(v));
-            // Vertex v of the cell is corner v of the span; patches stand side
-            // by side in the first direction.
+            // Vertex v of the cell is corner v of the span.
+            Point<dim> t;
             for (unsigned int d = 0; d < dim; ++d)
-              {
-                const auto &breaks   = space.patch(i).knot_vector(d).breaks();
-                const unsigned int e = space.cells()[c].span[d];
-                const bool         right = (v >> d) & 1;
-                const double       expected =
-                  d > 0 ? breaks[e + right] : breaks[e + right] + 2. * i;
-                error =
-                  std::max(error, std::abs(cell->vertex(v)[d] - expected));
-              }
+              t[d] = (v >> d) & 1;
+            error = std::max(error,
+                             cell->vertex(v).distance(space.patch(i).value(
+                               parameter_in_cell(space, c, t))));
           }
         ++c;
       }
-    CHECK(error < 1e-14); // sums of span lengths
-    // No vertex belongs to two patches.
+    CHECK(error < 1e-14); // the same sums
+    // No vertex belongs to two patches: two of them are apart, two coincide but
+    // belong to different bodies.
     CHECK(vertices[0].size() + vertices[1].size() + vertices[2].size() ==
           space.triangulation().n_used_vertices());
   }
@@ -217,6 +218,69 @@ TEST_CASE("Every knot span is one cell that carries the number of its patch",
 {
   check_triangulation<2>();
   check_triangulation<3>();
+}
+
+
+
+TEST_CASE("Cells are neighbors across the patches of a body, not across bodies",
+          "[iga]")
+{
+  const std::vector<NURBSPatch<2>> quarters = {refined_ring(0.),
+                                               refined_ring(right_angle),
+                                               refined_ring(2 * right_angle),
+                                               refined_ring(3 * right_angle)};
+  for (const Basis basis : all_bases)
+    {
+      const auto neighbors_of_other_patches =
+        [&](const std::vector<unsigned int> &bodies) {
+          const IGASpace<2> ring(quarters, bodies, basis);
+          unsigned int      n = 0;
+          for (const auto &cell : ring.triangulation().active_cell_iterators())
+            for (const unsigned int f : cell->face_indices())
+              if (!cell->at_boundary(f) &&
+                  cell->neighbor(f)->material_id() != cell->material_id())
+                ++n;
+          return n;
+        };
+      INFO(name(basis));
+      // Four seams with two spans, seen from both sides.
+      CHECK(neighbors_of_other_patches({0, 0, 0, 0}) == 16);
+      CHECK(neighbors_of_other_patches({0, 0, 1, 1}) == 8);
+      CHECK(neighbors_of_other_patches({}) == 0);
+    }
+}
+
+
+
+TEST_CASE("The cells of several bodies can be divided evenly among processes",
+          "[iga]")
+{
+  NURBSPatch<3> tube = quarter_tube(1., 2., 3.), next = tube;
+  for (unsigned int d = 0; d < 3; ++d)
+    tube.subdivide(d, 4);
+  next.transform(
+    [](const Point<3> &X) { return Point<3>(X[0], X[1], X[2] + 3.); });
+  next.subdivide(0, 4);
+  next.subdivide(1, 4);
+  next.subdivide(2, 2);
+  // The second body lies in the first one: bodies in contact are not joined.
+  const IGASpace<3> space({tube, next, tube}, {0, 0, 1}, Basis::NURBS);
+  for (const unsigned int n : {2, 3})
+    {
+      dealii::Triangulation<3> triangulation;
+      triangulation.copy_triangulation(space.triangulation());
+      dealii::GridTools::partition_triangulation(n, triangulation);
+      std::vector<unsigned int> size(n, 0);
+      for (const auto &cell : triangulation.active_cell_iterators())
+        {
+          REQUIRE(cell->subdomain_id() < n);
+          ++size[cell->subdomain_id()];
+        }
+      INFO(n << " parts");
+      CHECK(std::accumulate(size.begin(), size.end(), 0u) == 64 + 32 + 64);
+      for (const unsigned int s : size)
+        CHECK(std::abs(s - 160. / n) < 0.1 * 160. / n);
+    }
 }
 
 
@@ -360,6 +424,83 @@ TEST_CASE("Faces in space are joined within a body and never between bodies",
 
 
 
+TEST_CASE("Patches are joined in whatever directions they were described",
+          "[iga]")
+{
+  // Two blocks side by side; the parameters of the second run along the edges
+  // in all 24 right-handed ways. At degree 3 faces and edges have control
+  // points whose order differs between the two.
+  const KnotVector knots = KnotVector::uniform(3, 1);
+  const auto block = [&](const std::function<Point<3>(const Point<3> &)> &map) {
+    std::vector<Point<3>> points;
+    for (unsigned int A = 0; A < 64; ++A)
+      points.push_back(map(Point<3>(knots.greville(A % 4),
+                                    knots.greville(A / 4 % 4),
+                                    knots.greville(A / 16))));
+    return NURBSPatch<3>({{knots, knots, knots}}, points);
+  };
+  const NURBSPatch<3> first = block([](const Point<3> &X) { return X; });
+
+  unsigned int                n_ways = 0;
+  std::array<unsigned int, 3> axis   = {{0, 1, 2}};
+  do
+    for (unsigned int mirrored = 0; mirrored < 8; ++mirrored)
+      {
+        Tensor<2, 3> turn;
+        for (unsigned int d = 0; d < 3; ++d)
+          turn[axis[d]][d] = (mirrored >> d) & 1 ? -1. : 1.;
+        if (determinant(turn) < 0)
+          continue;
+        ++n_ways;
+        const Point<3>      middle(0.5, 0.5, 0.5);
+        const NURBSPatch<3> second = block([&](const Point<3> &X) {
+          return Point<3>(Point<3>(1., 0., 0.) + middle + turn * (X - middle));
+        });
+        for (const Basis basis : all_bases)
+          {
+            const IGASpace<3> space({first, second}, {0, 0}, basis);
+            INFO(name(basis) << ", turned by " << turn);
+            CHECK(space.n_control_points() == 7 * 4 * 4);
+            CHECK(space.triangulation().n_used_vertices() == 12);
+            double error = 0.;
+            for (unsigned int c = 0; c < 2; ++c)
+              for (unsigned int l = 0; l < 64; ++l)
+                error = std::max(
+                  error,
+                  space.control_points()[space.control_points_of_cell(c)[l]]
+                    .distance(space.patch(c).control_points()[l]));
+            CHECK(error < 1e-14);
+          }
+      }
+  while (std::next_permutation(axis.begin(), axis.end()));
+  CHECK(n_ways == 24);
+}
+
+
+
+TEST_CASE("Elements between common corners must have common control points",
+          "[iga]")
+{
+  // Two squares, one above the other; where they meet the second has a bay.
+  const KnotVector knots  = KnotVector::uniform(2, 1);
+  const auto       square = [&](const double bottom, const double bay) {
+    std::vector<Point<2>> points;
+    for (unsigned int A = 0; A < 9; ++A)
+      points.emplace_back(0.5 * (A % 3),
+                          bottom + 0.5 * (A / 3) + (A == 1 ? bay : 0.));
+    return NURBSPatch<2>({{knots, knots}}, points);
+  };
+  const std::vector<NURBSPatch<2>> patches = {square(0., 0.), square(1., 0.3)};
+  CHECK(IGASpace<2>(patches, {0, 0}, Basis::NURBS).n_control_points() == 16);
+  for (const Basis basis : {Basis::Bernstein, Basis::Lagrange})
+    CHECK_THAT(input_error([&]() {
+                 IGASpace<2>(patches, {0, 0}, basis);
+               }),
+               Contains("common corners") && Contains("patch 1"));
+}
+
+
+
 TEST_CASE("A ring closed within one patch keeps its seam", "[iga]")
 {
   // A square ring of degree 1: first and last column coincide.
@@ -373,10 +514,16 @@ TEST_CASE("A ring closed within one patch keeps its seam", "[iga]")
   NURBSPatch<2> hub = ring;
   hub.transform([](const Point<2> &X) { return Point<2>(0.5 * X); });
   CHECK(IGASpace<2>({ring}, {}, Basis::NURBS).n_control_points() == 10);
-  // All five outer points of the hub find a partner on the ring. Which of the
-  // two seam points of the ring the seam of the hub takes is left open.
-  const IGASpace<2> both({ring, hub}, {0, 0}, Basis::NURBS);
-  CHECK(both.n_control_points() == 10 + 5);
+  // All five outer points of the hub find a partner on the ring, and the seam
+  // stays open in both.
+  for (const Basis basis : all_bases)
+    {
+      const IGASpace<2> both({ring, hub}, {0, 0}, basis);
+      CHECK(both.n_control_points() == 10 + 5);
+      CHECK(both.triangulation().n_used_vertices() == 10 + 5);
+      for (unsigned int j = 0; j < 5; ++j)
+        CHECK(both.control_point(0, 2 * j) == both.control_point(1, 2 * j + 1));
+    }
 }
 
 

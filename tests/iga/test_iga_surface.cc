@@ -256,9 +256,9 @@ namespace
     // Divergence theorem; the volume by more points than needed.
     IGAValues<dim> values(space, 5);
     double         body_volume = 0.;
-    for (unsigned int c = 0; c < space.cells().size(); ++c)
+    for (const auto &span : space.triangulation().active_cell_iterators())
       {
-        values.reinit(c);
+        values.reinit(span);
         for (unsigned int q = 0; q < values.n_quadrature_points(); ++q)
           body_volume += values.JxW(q);
       }
@@ -281,6 +281,69 @@ namespace
       CHECK(averaging_difference < 1e-14); // the same functions
   }
 } // namespace
+
+
+
+TEST_CASE("Surface functions without weights are products of those of Cox and "
+          "de Boor, and so are their first and second derivatives",
+          "[iga]")
+{
+  for (const KnotVector &first : uneven_knot_vectors())
+    for (const KnotVector &second : uneven_knot_vectors())
+      if (first.degree() == second.degree())
+        {
+          const KnotVector thickness = KnotVector::uniform(first.degree(), 1);
+          std::vector<Point<3>> points;
+          for (unsigned int k = 0; k < thickness.n_functions(); ++k)
+            for (unsigned int j = 0; j < second.n_functions(); ++j)
+              for (unsigned int i = 0; i < first.n_functions(); ++i)
+                points.emplace_back(first.greville(i),
+                                    second.greville(j),
+                                    thickness.greville(k));
+          const IGASpace<3>   space({NURBSPatch<3>({{first, second, thickness}},
+                                                 points)},
+                                  {},
+                                  Basis::NURBS);
+          const IGASurface<3> surface(space, 0, 2, 1);
+          double              error = 0.;
+          for (unsigned int e = 0; e < first.n_spans(); ++e)
+            for (unsigned int f = 0; f < second.n_spans(); ++f)
+              for (const double u : points_of_span(first, e))
+                for (const double v : points_of_span(second, f))
+                  {
+                    const std::array<unsigned int, 2> span = {{e, f}};
+                    SurfaceShape<2>                   shape;
+                    surface.evaluate({{u, v}}, 2, shape, &span);
+                    const auto N = first.values(e, u, 2),
+                               M = second.values(f, v, 2);
+                    // Derivatives grow with the inverse of the span.
+                    const double h = first.breaks()[e + 1] - first.breaks()[e],
+                                 k =
+                                   second.breaks()[f + 1] - second.breaks()[f];
+                    const unsigned int n = first.degree() + 1;
+                    REQUIRE(shape.value.size() == n * n);
+                    for (unsigned int l = 0; l < n * n; ++l)
+                      {
+                        const unsigned int i = l % n, j = l / n;
+                        error = std::max(
+                          {error,
+                           std::abs(shape.value[l] - N[0][i] * M[0][j]),
+                           h * std::abs(shape.first[0][l] - N[1][i] * M[0][j]),
+                           k * std::abs(shape.first[1][l] - N[0][i] * M[1][j]),
+                           h * h *
+                             std::abs(shape.second[0][l] - N[2][i] * M[0][j]),
+                           h * k *
+                             std::abs(shape.second[1][l] - N[1][i] * M[1][j]),
+                           k * k *
+                             std::abs(shape.second[2][l] - N[0][i] * M[2][j])});
+                      }
+                  }
+          INFO("degree " << first.degree());
+          // Second derivatives of Bernstein polynomials of degree 4 are 12,
+          // their power coefficients up to 12; p knots inserted.
+          CHECK(error < 1e-12);
+        }
+}
 
 
 

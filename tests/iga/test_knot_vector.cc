@@ -2,8 +2,9 @@
 // Defines the tests of knot vectors and of their extraction operators.
 
 #include <npt_dealii/iga/bezier_extraction.h>
+#include <npt_dealii/iga/element_table.h>
 
-#include <deal.II/base/polynomials_bernstein.h>
+#include <deal.II/fe/fe_bernstein.h>
 
 #include "iga_test_tools.h"
 
@@ -217,7 +218,8 @@ TEST_CASE("Spans count the nonempty intervals and contain their left end",
 
 
 
-TEST_CASE("Extraction operators give the functions of Cox and de Boor", "[iga]")
+TEST_CASE("Extraction from FE_Bernstein gives the functions of Cox and de Boor",
+          "[iga]")
 {
   for (const KnotVector &k : uneven_knot_vectors())
     {
@@ -226,22 +228,25 @@ TEST_CASE("Extraction operators give the functions of Cox and de Boor", "[iga]")
       const unsigned int p = k.degree();
       for (unsigned int e = 0; e < k.n_spans(); ++e)
         {
-          const auto  &C = operators[e];
-          const double h = k.breaks()[e + 1] - k.breaks()[e];
-          for (const double u : points_of_span(k, e))
+          const auto           &C      = operators[e];
+          const double          h      = k.breaks()[e + 1] - k.breaks()[e];
+          const auto            points = points_of_span(k, e);
+          std::vector<Point<1>> reference;
+          for (const double u : points)
+            reference.emplace_back((u - k.breaks()[e]) / h);
+          const dealii::FE_Bernstein<1> element(p);
+          const ElementTable<1> B(element, dealii::Quadrature<1>(reference));
+          for (unsigned int q = 0; q < points.size(); ++q)
             {
-              const auto N     = k.values(e, u, 1);
+              const auto N     = k.values(e, points[q], 1);
               double     error = 0.;
               for (unsigned int a = 0; a <= p; ++a)
                 {
                   double value = 0., derivative = 0.;
                   for (unsigned int b = 0; b <= p; ++b)
                     {
-                      const dealii::PolynomialsBernstein<double> B(b, p);
-                      std::vector<double>                        v(2);
-                      B.value((u - k.breaks()[e]) / h, v);
-                      value += C(a, b) * v[0];
-                      derivative += C(a, b) * v[1];
+                      value += C(a, b) * B.values(q, b);
+                      derivative += C(a, b) * B.gradients(q, b)[0];
                     }
                   error = std::max(error, std::abs(value - N[0][a]));
                   error = std::max(error, std::abs(derivative - h * N[1][a]));

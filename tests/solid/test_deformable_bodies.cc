@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Claims about the assembly of deformable bodies.
+// Defines the tests of the assembly of deformable bodies.
 
 #include <npt_dealii/material/make_material.h>
 #include <npt_dealii/solid/deformable_bodies.h>
@@ -49,7 +49,7 @@ namespace
 
 TEST_CASE("Forces are the derivative of the energy and the tangent that of the "
           "forces",
-          "[top]")
+          "[solid]")
 {
   // Cells with symmetry weights 2, 0 and 1 around the tube.
   const auto bodies      = make_tube([](const unsigned int, const Point<3> &X) {
@@ -89,7 +89,7 @@ TEST_CASE("Forces are the derivative of the energy and the tangent that of the "
 
 
 
-TEST_CASE("Volume averages count each point as often as its cell", "[top]")
+TEST_CASE("Volume averages count each point as often as its cell", "[solid]")
 {
   const double volume = 3. * std::atan(1.); // of the quarter tube
   const auto   twice =
@@ -122,7 +122,7 @@ TEST_CASE("Volume averages count each point as often as its cell", "[top]")
 
 
 
-TEST_CASE("An inverted cell is reported with the name of its part", "[top]")
+TEST_CASE("An inverted cell is reported with the name of its part", "[solid]")
 {
   const auto     bodies = make_tube();
   Vector<double> u(bodies.n_displacements()), force(u.size());
@@ -136,7 +136,7 @@ TEST_CASE("An inverted cell is reported with the name of its part", "[top]")
 
 TEST_CASE("Fields of an affine displacement are those of its gradient at every "
           "Bezier point",
-          "[top]")
+          "[solid]")
 {
   const auto         bodies = make_tube();
   const Tensor<2, 3> F({{1.05, 0.1, 0.}, {0.2, 0.95, 0.}, {0., 0.1, 1.}});
@@ -180,7 +180,7 @@ TEST_CASE("Fields of an affine displacement are those of its gradient at every "
 
 TEST_CASE("Bodies without fibers have no fiber fields, and where they join "
           "others the means are those of the fibers",
-          "[top]")
+          "[solid]")
 {
   // Two blocks of one body, the second without a fiber.
   const auto make = [](const std::string &first) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Claims about the fields of the bundles.
+// Defines the tests of the fields of the bundles.
 
 #include <npt_dealii/material/fiber_bundle_law.h>
 #include <npt_dealii/material/neo_hookean.h>
@@ -38,7 +38,7 @@ namespace
 
 TEST_CASE("Fiber stretch and shear are those of a homogeneous state, however "
           "it is turned",
-          "[output]")
+          "[solid]")
 {
   const FiberBundleLaw<3> law(FiberBundleConstants(), fiber);
   const double            gamma = 0.3, lambda = 1.1;
@@ -72,7 +72,7 @@ TEST_CASE("Fiber stretch and shear are those of a homogeneous state, however "
 
 
 
-TEST_CASE("The fiber of a law without one is zero", "[output]")
+TEST_CASE("The fiber of a law without one is zero", "[solid]")
 {
   const auto state = point_state(NeoHookean<3>({3., 2.}), identity());
   CHECK(state.stretch == 0.);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines the discrete space: cells (knot spans), reference elements,
-// extraction operators, and the global numbering of control points over all
-// patches.
+// Defines the discrete space: the triangulation whose cells are the knot spans
+// and own the elements, extraction operators, and the global numbering of
+// control points over all patches.
 
 #ifndef npt_dealii_iga_iga_space_h
 #define npt_dealii_iga_iga_space_h
@@ -10,10 +10,11 @@
 #include <npt_dealii/iga/nurbs_patch.h>
 
 #include <deal.II/base/polynomial.h>
-#include <deal.II/fe/fe.h>
+#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/hp/fe_collection.h>
 
-#include <memory>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,8 @@ namespace NPT
   enum class Basis
   {
     NURBS,     ///< smooth splines through Bezier extraction onto FE_Bernstein
-    Bernstein, ///< the same patches cut to C0 ("Model B"), FE_Bernstein as is
-    Lagrange   ///< the same spans with deal.II's FE_Q, nodes on the geometry
+    Bernstein, ///< the same patches cut to C0 ("Model B"): FE_Bernstein as is
+    Lagrange   ///< the same spans with FE_Q, nodes on the geometry
   };
 
   template <>
@@ -32,16 +33,36 @@ namespace NPT
   enum_names<Basis>();
 
   /**
-   * The isogeometric space of one or more patches. Each nonempty knot span is
-   * one active cell of a hexahedral (quadrilateral) Triangulation in parameter
-   * space, patch after patch; its material id is the patch number.
+   * The isogeometric space of one or more patches on one dealii::Triangulation.
+   *
+   * Each nonempty knot span is one active cell, patch after patch; its active
+   * cell index is the number of the cell, its material id the number of the
+   * patch (which body it belongs to, of which material it is). Vertices are the
+   * corners of the spans in the reference configuration [mm], joined where
+   * patches of one body meet, so that deal.II knows the neighbors of a cell
+   * across patches. Between its vertices a cell is curved: geometry comes from
+   * control points, never from the straight edges of the triangulation.
    *
    * Control points that coincide on the boundaries of patches of the same body
    * are one control point, which joins the patches conformingly (C0). Patches
    * of different bodies are never joined.
    *
-   * With Basis::Lagrange the "control points" are the nodes of FE_Q placed on
-   * the geometry (isoparametric, weights one).
+   * The elements are deal.II's. For Basis::NURBS the splines of a cell are
+   * combinations of the functions of FE_Bernstein (extraction), numbered by the
+   * lattices of the patches, since neighboring cells share more than what lies
+   * on their common face. The two C0 bases are a discretization of deal.II
+   * itself: a DoFHandler numbers FE_Bernstein or FE_Q on the triangulation, one
+   * degree of freedom per control point. Its numbers are then permuted to the
+   * order in which the patches list their control points, which is that of the
+   * splines, too.
+   *
+   * How the twins carry the geometry: the functions of a cell map the reference
+   * cell to X, and are taken at its points (isoparametric). With
+   * Basis::Lagrange the "control points" are the nodes of FE_Q placed on the
+   * geometry and all weights are one: a polynomial approximation of a rational
+   * patch. With Basis::Bernstein they are Bezier points with weights, so that
+   * the functions of a rational patch are w_A B_A / W with B_A from
+   * FE_Bernstein, and the geometry is exact.
    *
    * FE_Bernstein exists with one degree for all directions only, so each patch
    * is elevated to its highest degree first; the geometry stays the same.
@@ -63,7 +84,9 @@ namespace NPT
      *
      * Throws InputError if patches of a body meet in a face with different
      * control points or weights. (A patch that meets a part of a larger face,
-     * a hanging patch, is not noticed: it stays unjoined.)
+     * a hanging patch, is not noticed: it stays unjoined.) With the C0 bases
+     * cells of one body that have common corners are neighbors; two edges with
+     * the same ends but different ways between them are an InputError.
      */
     IGASpace(const std::vector<NURBSPatch<dim>> &patches,
              const std::vector<unsigned int>    &bodies,
@@ -123,8 +146,11 @@ namespace NPT
     }
     /// Global numbers of the (p+1)^dim control points of a cell,
     /// lexicographic.
-    std::vector<unsigned int>
-    control_points_of_cell(const unsigned int cell) const;
+    const std::vector<unsigned int> &
+    control_points_of_cell(const unsigned int cell) const
+    {
+      return control_points_of_cell_[cell];
+    }
 
     /// Extraction operator C^e of a span (identity for the C0 bases).
     const dealii::FullMatrix<double> &
@@ -138,25 +164,28 @@ namespace NPT
     const dealii::FiniteElement<dim> &
     reference_element(const unsigned int patch) const
     {
-      return *elements_[patch];
+      return elements_[element_of_degree_.at(degree(patch))];
     }
-    /// Lexicographic to the reference element's own numbering.
-    const std::vector<unsigned int> &
-    lexicographic_numbering(const unsigned int patch) const
-    {
-      return lexicographic_[patch];
-    }
-    /// The one-dimensional local functions on [0,1] (before extraction).
+    /// The one-dimensional factors of its functions, on [0,1] (before
+    /// extraction).
     const std::vector<dealii::Polynomials::Polynomial<double>> &
     local_polynomials(const unsigned int patch) const
     {
-      return polynomials_[patch];
+      return polynomials_[element_of_degree_.at(degree(patch))];
     }
-    /// Parametric mesh, one cell per knot span, in the order of cells().
+    /// One active cell per knot span, in the order of cells().
     const dealii::Triangulation<dim> &
     triangulation() const
     {
       return triangulation_;
+    }
+    /// The numbering of the elements of a C0 basis: one degree of freedom per
+    /// control point, with its number. Not for Basis::NURBS.
+    const dealii::DoFHandler<dim> &
+    dof_handler() const
+    {
+      Assert(basis_ != Basis::NURBS, dealii::ExcNotInitialized());
+      return dof_handler_;
     }
 
     /**
@@ -174,27 +203,54 @@ namespace NPT
                         std::vector<double> &bezier_weights) const;
 
   private:
+    // Raise or cut the patch to what the basis needs and choose its element.
     void
-    merge_control_points();
+    prepare_patch(const unsigned int i);
+    // Nodes on the geometry instead of control points beside it.
+    void
+    place_nodes(const unsigned int i);
+    void
+    add_cells(const unsigned int i);
+    void
+    make_triangulation();
+    // Numbering of the splines and of the C0 bases.
+    void
+    number_splines();
+    void
+    number_elements();
+    // Lattice position in its patch of function l of a cell.
+    unsigned int
+    lattice_position(const Cell &cell, unsigned int l) const;
+    // Of the control points that patches share.
+    void
+    check_weights() const;
     void
     check_interfaces() const;
     void
-    make_triangulation();
+    check_positions() const;
+    // Coefficients of the local functions of a cell in Bernstein polynomials.
+    dealii::FullMatrix<double>
+    bernstein_operator(const Cell &cell, const unsigned int direction) const;
 
     Basis                                  basis_;
     std::vector<NURBSPatch<dim>>           patches_;
     std::vector<unsigned int>              bodies_;
+    double                                 tolerance_; // of positions, mm
     std::vector<Cell>                      cells_;
     std::vector<dealii::Point<dim>>        control_points_;
     std::vector<double>                    weights_;
     std::vector<std::vector<unsigned int>> local_to_global_;
+    std::vector<std::vector<unsigned int>> control_points_of_cell_;
     std::vector<std::array<std::vector<dealii::FullMatrix<double>>, dim>>
-                                                             extraction_;
-    std::vector<std::unique_ptr<dealii::FiniteElement<dim>>> elements_;
-    std::vector<std::vector<unsigned int>>                   lexicographic_;
+      extraction_;
+    // One element per degree.
+    dealii::hp::FECollection<dim>        elements_;
+    std::map<unsigned int, unsigned int> element_of_degree_;
     std::vector<std::vector<dealii::Polynomials::Polynomial<double>>>
-                               polynomials_;
+      polynomials_;
+
     dealii::Triangulation<dim> triangulation_;
+    dealii::DoFHandler<dim>    dof_handler_; // of the C0 bases
   };
 } // namespace NPT
 

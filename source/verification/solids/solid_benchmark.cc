@@ -318,9 +318,10 @@ namespace NPT
 
     double       e_energy = 0, e_L2 = 0, u_energy = 0, u_L2 = 0;
     IGAValues<3> values(body_->space(), row.degree + 2);
-    for (unsigned int c = 0; c < body_->space().cells().size(); ++c)
+    for (const auto &cell :
+         body_->space().triangulation().active_cell_iterators())
       {
-        values.reinit(c);
+        values.reinit(cell);
         for (unsigned int q = 0; q < values.n_quadrature_points(); ++q)
           {
             Tensor<1, 3> u_h;

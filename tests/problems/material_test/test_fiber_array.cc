@@ -61,12 +61,11 @@ namespace
   {
     Volumes      volumes;
     IGAValues<3> values(space, n_points);
-    for (unsigned int c = 0; c < space.cells().size(); ++c)
+    for (const auto &span : space.triangulation().active_cell_iterators())
       {
-        values.reinit(c); // throws where a cell is folded
-        double &volume = array.is_fiber(space.cells()[c].patch) ?
-                           volumes.fibers :
-                           volumes.matrix;
+        values.reinit(span); // throws where a cell is folded
+        double &volume =
+          array.is_fiber(span->material_id()) ? volumes.fibers : volumes.matrix;
         for (unsigned int q = 0; q < values.n_quadrature_points(); ++q)
           volume += values.JxW(q);
       }

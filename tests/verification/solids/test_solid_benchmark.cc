@@ -61,9 +61,9 @@ namespace
                             Basis::NURBS);
     IGAValues<3>      values(space, 7);
     double            sum = 0;
-    for (unsigned int c = 0; c < space.cells().size(); ++c)
+    for (const auto &span : space.triangulation().active_cell_iterators())
       {
-        values.reinit(c);
+        values.reinit(span);
         for (unsigned int q = 0; q < values.n_quadrature_points(); ++q)
           sum += values.JxW(q);
       }
