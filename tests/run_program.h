@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines running the program as a user does and collecting what it says.
+// Defines running the programs as a user does and collecting what it says.
 
 #ifndef npt_dealii_tests_run_program_h
 #define npt_dealii_tests_run_program_h
@@ -48,11 +48,12 @@ namespace TopTests
 
 
 
-  /// Run the program in a folder, which also receives what it writes on the
+  /// Run a program in a folder, which also receives what it writes on the
   /// screen (out.txt, err.txt).
   inline ProgramResult
   run_program(const std::filesystem::path    &folder,
-              const std::vector<std::string> &arguments)
+              const std::vector<std::string> &arguments,
+              const std::string              &program = NPT_PROGRAM)
   {
     const auto quoted = [](const std::string &text) {
       std::string result = "'";
@@ -61,7 +62,7 @@ namespace TopTests
       return result + "'";
     };
     std::string command =
-      "cd " + quoted(folder.string()) + " && " + quoted(NPT_PROGRAM);
+      "cd " + quoted(folder.string()) + " && " + quoted(program);
     for (const std::string &argument : arguments)
       command += " " + quoted(argument);
     command += " > out.txt 2> err.txt";

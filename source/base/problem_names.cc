@@ -1,23 +1,63 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The problems and their text for the user.
 
+#include <npt_dealii/base/problem.h>
 #include <npt_dealii/base/problem_names.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
 
 namespace NPT
 {
   namespace Patterns = dealii::Patterns;
 
+  namespace
+  {
+    bool
+    is_benchmark(const std::string &name)
+    {
+      const auto &names = benchmark_names();
+      return std::find(names.begin(), names.end(), name) != names.end();
+    }
+
+    /// The registered problems that are not benchmarks, by rank.
+    std::vector<std::string>
+    own_names()
+    {
+      const auto              &registry = Registry<Problem>::instance();
+      std::vector<std::string> names;
+      for (const std::string &name : registry.names())
+        if (!is_benchmark(name))
+          names.push_back(name);
+      std::stable_sort(names.begin(),
+                       names.end(),
+                       [&](const std::string &a, const std::string &b) {
+                         return registry.get(a).rank < registry.get(b).rank;
+                       });
+      return names;
+    }
+  } // namespace
+
+
+
   const std::vector<std::string> &
+  benchmark_names()
+  {
+    static const std::vector<std::string> names = {"solid benchmark",
+                                                   "contact benchmark"};
+    return names;
+  }
+
+
+
+  std::vector<std::string>
   problem_names()
   {
-    static const std::vector<std::string> names = {"plate test",
-                                                   "material test",
-                                                   "identification",
-                                                   "parameter study",
-                                                   "solid benchmark",
-                                                   "contact benchmark"};
+    std::vector<std::string> names = own_names();
+    names.insert(names.end(),
+                 benchmark_names().begin(),
+                 benchmark_names().end());
     return names;
   }
 
@@ -26,17 +66,17 @@ namespace NPT
   void
   declare_problem(dealii::ParameterHandler &prm, const std::string &problem)
   {
-    std::string names;
+    std::string selection, text;
     for (const std::string &name : problem_names())
-      names += (names.empty() ? "" : "|") + name;
+      selection += (selection.empty() ? "" : "|") + name;
+    for (const std::string &name : own_names())
+      text += Registry<Problem>::instance().get(name).text + ", ";
     prm.declare_entry("Problem",
                       problem,
-                      Patterns::Selection(names),
-                      "What the program does: numerical plate testing of a "
-                      "woven cell, numerical material testing of a micro cell "
-                      "of fibers and matrix, identification of a bundle law "
-                      "from test data, a study of many plate tests, or a "
-                      "comparison of solids or of contact with exact "
-                      "solutions.");
+                      Patterns::Selection(selection),
+                      "What the program does: " + text +
+                        (text.empty() ? "" : "or ") +
+                        "a comparison of solids or of contact with exact "
+                        "solutions.");
   }
 } // namespace NPT

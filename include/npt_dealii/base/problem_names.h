@@ -14,8 +14,14 @@ namespace dealii
 
 namespace NPT
 {
-  /// Values of the entry "Problem", the first being the default.
+  /// The problems of the program `verify`. The product does not contain them,
+  /// but it knows their names, so that it can start `verify` for them.
   const std::vector<std::string> &
+  benchmark_names();
+
+  /// Values of the entry "Problem": the registered problems of this program by
+  /// their rank, then the benchmarks.
+  std::vector<std::string>
   problem_names();
 
   /// Declare the entry "Problem", which every parameter file has.

@@ -4,11 +4,14 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_binding.h>
+#include <npt_dealii/base/problem.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/identification/identification_report.h>
 #include <npt_dealii/problems/identification/identification_run.h>
+
+#include <iostream>
 
 namespace NPT
 {
@@ -145,4 +148,26 @@ namespace NPT
                log);
     return result;
   }
+
+
+
+  namespace
+  {
+    void
+    start(const ParameterText &text, const CommandLine &command)
+    {
+      const auto parameters =
+        IdentificationRunParameters::read(text, command.overrides);
+      if (done_with_parameters(command, parameters))
+        return;
+      run_identification(parameters,
+                         make_output_directory(command,
+                                               parameters.output.directory),
+                         std::cout);
+    }
+
+    const Registry<Problem>::Registration
+      registration("identification",
+                   {2, "identification of a bundle law from test data", start});
+  } // namespace
 } // namespace NPT

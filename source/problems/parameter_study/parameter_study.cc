@@ -2,6 +2,7 @@
 // Running a study, and what is made of the finished cases.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/problem.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/parameter_study/curve_family.h>
 #include <npt_dealii/problems/parameter_study/parameter_study.h>
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <limits>
 #include <map>
 #include <ostream>
@@ -368,4 +370,26 @@ namespace NPT
       screen << "Warning: " << warning << std::endl;
     screen << "Tables and pictures are in " << directory << std::endl;
   }
+
+
+
+  namespace
+  {
+    void
+    start(const ParameterText &text, const CommandLine &command)
+    {
+      const auto parameters = StudyParameters::read(text, command.overrides);
+      if (command.action == CommandLine::Action::validate)
+        std::cout << parameters.cases.size() << " cases: ";
+      if (done_with_parameters(command, parameters))
+        return;
+      run_parameter_study(parameters,
+                          make_output_directory(command, parameters.directory),
+                          std::cout);
+    }
+
+    const Registry<Problem>::Registration
+      registration("parameter study",
+                   {3, "a study of many plate tests", start, false, true});
+  } // namespace
 } // namespace NPT

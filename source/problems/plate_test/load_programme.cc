@@ -85,7 +85,7 @@ namespace NPT
   LoadStage::targets() const
   {
     std::string text;
-    const auto add = [&](const char *name, const double value) {
+    const auto  add = [&](const char *name, const double value) {
       text += (text.empty() ? "" : ", ") + std::string(name) + ": " +
               EntryValue<double>::text(value);
     };
@@ -110,8 +110,7 @@ namespace NPT
         AssertDimension(key_value.size(), 2); // checked by the pattern
         const std::string &key       = key_value[0];
         const unsigned int component = MacroModes::number_of(key);
-        auto              &targets =
-          MacroModes::is_conjugate(key) ? n_targets : H_targets;
+        auto &targets = MacroModes::is_conjugate(key) ? n_targets : H_targets;
         if (!targets.emplace(component, EntryValue<double>::value(key_value[1]))
                .second)
           throw InputError("Targets names " + key + " twice; once is enough" +

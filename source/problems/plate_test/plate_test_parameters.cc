@@ -211,8 +211,7 @@ namespace NPT
             for (const auto &target : stage.n_targets)
               modes.push_back(target.first);
           }
-        std::tie(cell.type, reason_for_type) =
-          smallest_cell_type(cell, modes);
+        std::tie(cell.type, reason_for_type) = smallest_cell_type(cell, modes);
       }
     if (cell.side_contact == CellParameters::SideContact::automatic)
       cell.side_contact = neighbors_may_touch(*this) ?

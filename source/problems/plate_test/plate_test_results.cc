@@ -249,8 +249,7 @@ namespace NPT
                                      MacroModes::table[n].unit());
     for (const auto &[n, target] : stage.n_targets)
       title << ", " << MacroModes::table[n].conjugate << " = "
-            << state.applied[n] << ' '
-            << MacroModes::table[n].conjugate_unit();
+            << state.applied[n] << ' ' << MacroModes::table[n].conjugate_unit();
     std::string name = "cell_" + stage.name;
     for (char &c : name)
       if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')

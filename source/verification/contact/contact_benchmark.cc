@@ -3,6 +3,7 @@
 // order in which they are used.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/problem.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/vtu_file.h>
@@ -10,6 +11,7 @@
 #include <npt_dealii/verification/contact/contact_benchmark.h>
 #include <npt_dealii/verification/contact/handle_problem.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -28,8 +30,10 @@ namespace NPT
     , directory_(directory)
     , log_(RunLog::in_folder(directory, screen))
     , cpu_start_(process_cpu_seconds())
-    , model_(make_contact_model(parameters))
+    , case_(*ContactCases::instance().get(parameters.benchmark.name))
+    , model_(case_.make_model(parameters))
     , linear_solver_(parameters.linear_solver)
+    , comparisons_(all_quantities(case_), parameters.tolerances)
   {}
 
 
@@ -48,6 +52,7 @@ namespace NPT
           output_fields();
       }
     finish_output();
+    judge(comparisons_.list()); // throws if a tolerance is missed
   }
 
 
@@ -91,8 +96,10 @@ namespace NPT
     std::vector<DeformablePart> parts;
     for (const bool upper : {true, false})
       {
-        const auto &body =
+        auto body =
           upper ? parameters_.benchmark.upper : parameters_.benchmark.lower;
+        if (upper)
+          body.young_modulus *= parameters_.benchmark.stiffness_factor;
         parts.push_back({model_.patches[upper ? 0 : 1],
                          std::make_unique<NeoHookean<3>>(body.constants()),
                          upper ? 0u : 1u,
@@ -106,11 +113,13 @@ namespace NPT
     std::vector<ContactSurface<3>> primary(1, ContactSurface<3>(*surfaces_[1]));
     primary[0].set_edge_radius(parameters_.contact.edge_radius *
                                model_.body_height);
+    FrictionParameters friction = parameters_.friction;
+    friction.coefficient *= parameters_.benchmark.friction_factor;
     contacts_.push_back(
       std::make_unique<ContactPair<3>>(ContactSurface<3>(*surfaces_[0]),
                                        primary,
                                        parameters_.contact,
-                                       parameters_.friction,
+                                       friction,
                                        parameters_.contact.maximum_penetration *
                                          model_.body_height));
 
@@ -254,16 +263,28 @@ namespace NPT
 
   // --------------------------------------------------------------- results
 
-  const ContactComparison &
-  ContactBenchmark::comparison(const std::string &quantity) const
+  void
+  ContactBenchmark::compare(const ContactStage &stage)
   {
-    for (const ContactComparison &comparison : comparisons_)
-      if (comparison.quantity == quantity)
-        return comparison;
-    AssertThrow(false,
-                dealii::ExcMessage("There is no comparison of '" + quantity +
-                                   "'."));
-    return comparisons_.front();
+    const ContactResults results(
+      rows_, *bodies_, *contacts_[0], evaluation_, state_.u);
+    if (stage.name != model_.stages.back().name)
+      {
+        case_.compare_stage(stage.name, parameters_, results, comparisons_);
+        return;
+      }
+    case_.compare(parameters_, results, comparisons_);
+    double force = 0, moment = 0;
+    for (const ContactRow &row : rows_)
+      {
+        force  = std::max(force, row.force_imbalance);
+        moment = std::max(moment, row.moment_imbalance);
+      }
+    comparisons_.compare("force imbalance of contact", force, 0.);
+    comparisons_.compare("moment imbalance of contact", moment, 0.);
+    comparisons_.report("largest penetration",
+                        rows_.back().largest_penetration);
+    comparisons_.check_complete();
   }
 
 
@@ -288,28 +309,25 @@ namespace NPT
   void
   ContactBenchmark::finish_output()
   {
-    for (const ContactComparison &item : comparisons_)
+    for (const Comparison &item : comparisons_.list())
       {
         std::ostringstream line;
         line << std::left << std::setw(34) << item.quantity << std::right
              << std::setw(14) << short_number(item.computed) << ' ' << std::left
              << std::setw(6) << item.unit;
-        if (item.exact != 0.)
-          line << " exact " << std::setw(12) << short_number(item.exact)
+        if (item.exact && *item.exact != 0.)
+          line << " exact " << std::setw(12) << short_number(*item.exact)
                << " difference " << short_number(100. * item.error(), 3)
                << " %";
+        if (item.allowed)
+          line << (item.is_missed() ? " MISSES" : " within") << " tolerance";
         log_.line(line.str());
       }
     log_.line("CPU time " +
               short_number(process_cpu_seconds() - cpu_start_, 3) + " s");
     if (directory_.empty())
       return;
-    TableWriter table(directory_ + "/comparison.csv",
-                      {"quantity", "unit", "computed", "exact", "error"},
-                      {"Error: relative, absolute where zero is exact."});
-    for (const ContactComparison &item : comparisons_)
-      table.add_row(
-        {item.quantity, item.unit, item.computed, item.exact, item.error()});
+    comparisons_.write(directory_);
     if (parameters_.output.picture &&
         std::ifstream(directory_ + "/profile.gp").good())
       {
@@ -318,4 +336,27 @@ namespace NPT
           log_.warning(warning);
       }
   }
+
+
+
+  namespace
+  {
+    void
+    start(const ParameterText &text, const CommandLine &command)
+    {
+      const auto parameters =
+        ContactBenchmarkParameters::read(text, command.overrides);
+      if (done_with_parameters(command, parameters))
+        return;
+      ContactBenchmark benchmark(
+        parameters,
+        make_output_directory(command, parameters.output.directory),
+        std::cout);
+      benchmark.run();
+    }
+
+    const Registry<Problem>::Registration
+      registration("contact benchmark",
+                   {5, "a comparison of contact with exact solutions", start});
+  } // namespace
 } // namespace NPT

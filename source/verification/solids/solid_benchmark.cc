@@ -4,6 +4,7 @@
 // is in solid_benchmark_results.cc.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/problem.h>
 #include <npt_dealii/iga/iga_surface.h>
 #include <npt_dealii/iga/iga_values.h>
 #include <npt_dealii/load_step/load_stepper.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <sstream>
 
 namespace NPT
@@ -20,7 +22,6 @@ namespace NPT
   using dealii::Point;
   using dealii::Tensor;
   using dealii::Vector;
-  using Body = SolidBenchmarkParameters::Body;
 
   namespace
   {
@@ -34,28 +35,19 @@ namespace NPT
       return largest;
     }
 
-    std::unique_ptr<ElasticSolution>
-    make_exact_solution(const SolidBenchmarkParameters &p)
+    /// The material of the computed body; the exact solution does not know of
+    /// the factor.
+    MaterialParameters
+    computed_material(const SolidBenchmarkParameters &p)
     {
-      const auto  &law = p.material.constants<NeoHookeanParameters>();
-      const double E = law.young_modulus, nu = law.poisson_ratio;
-      switch (p.body)
-        {
-          case Body::plate_with_hole:
-            return std::make_unique<HoleUnderTension>(p.load,
-                                                      p.inner_radius,
-                                                      E,
-                                                      nu);
-          case Body::cylinder:
-            return std::make_unique<PressurizedCylinder>(
-              p.load, p.inner_radius, p.outer_size, E, nu);
-          case Body::sphere:
-            return std::make_unique<PressurizedSphere>(
-              p.load, p.inner_radius, p.outer_size, E, nu);
-          case Body::block:
-            break;
-        }
-      return {};
+      MaterialParameters material = p.material;
+      material.constants<NeoHookeanParameters>().young_modulus *=
+        p.stiffness_factor;
+      FiberBundleConstants &c =
+        material.constants<FiberBundleParameters>().constants;
+      for (double *constant : {&c.mu, &c.lambda, &c.a, &c.b, &c.c, &c.d})
+        *constant *= p.stiffness_factor;
+      return material;
     }
   } // namespace
 
@@ -67,7 +59,9 @@ namespace NPT
     : parameters_(parameters)
     , directory_(directory)
     , log_(RunLog::in_folder(directory, screen))
-    , exact_(make_exact_solution(parameters))
+    , case_(SolidCases::instance().get(parameters.name))
+    , exact_(case_.is_homogeneous() ? nullptr :
+                                      case_.make_exact_solution(parameters))
     , linear_solver_(parameters.linear_solver)
   {}
 
@@ -77,7 +71,7 @@ namespace NPT
   SolidBenchmark::run()
   {
     begin_output();
-    if (parameters_.body == Body::block)
+    if (case_.is_homogeneous())
       compare_homogeneous_states();
     else
       measure_rates();
@@ -163,21 +157,8 @@ namespace NPT
     const double a = parameters_.inner_radius, b = parameters_.outer_size;
     // Nothing changes through the thickness of plate and cylinder.
     const double               thickness = (b - a) / n_elements;
-    std::vector<NURBSPatch<3>> patches;
-    switch (parameters_.body)
-      {
-        case Body::plate_with_hole:
-          patches = quarter_plate_with_hole(a, b, thickness);
-          break;
-        case Body::cylinder:
-          patches = {quarter_tube(a, b, thickness)};
-          break;
-        case Body::sphere:
-          patches = {sphere_octant(a, b)};
-          break;
-        case Body::block:
-          Assert(false, dealii::ExcInternalError());
-      }
+    std::vector<NURBSPatch<3>> patches =
+      case_.make_patches(parameters_, thickness);
 
     std::vector<DeformablePart> parts;
     for (NURBSPatch<3> &patch : patches)
@@ -186,12 +167,12 @@ namespace NPT
                degree,
                {{parameters_.radial_factor * n_elements,
                  n_elements,
-                 parameters_.body == Body::sphere ? n_elements : 1}});
-        parts.push_back(
-          {patch,
-           make_material<3>(parameters_.material, Point<3>::unit_vector(0)),
-           0,
-           "patch " + std::to_string(parts.size())});
+                 case_.plane_strain ? 1 : n_elements}});
+        parts.push_back({patch,
+                         make_material<3>(computed_material(parameters_),
+                                          Point<3>::unit_vector(0)),
+                         0,
+                         "patch " + std::to_string(parts.size())});
       }
     body_ =
       std::make_unique<DeformableBodies>(std::move(parts),
@@ -206,7 +187,7 @@ namespace NPT
   SolidBenchmark::hold_symmetry_planes()
   {
     const IGASpace<3> &space        = body_->space();
-    const bool         plane_strain = parameters_.body != Body::sphere;
+    const bool         plane_strain = case_.plane_strain;
     const double       tolerance    = 1e-10 * parameters_.outer_size;
 
     dealii::AffineConstraints<double> constraints;
@@ -249,7 +230,7 @@ namespace NPT
   SolidBenchmark::assemble_load()
   {
     load_.reinit(body_->n_displacements());
-    const bool pressure = parameters_.body != Body::plate_with_hole;
+    const bool pressure = case_.inner_pressure;
     // The loaded faces are those of the first direction: the inner one of
     // cylinder and sphere, the outer ones of the plate.
     for (unsigned int p = 0; p < body_->space().n_patches(); ++p)
@@ -370,7 +351,7 @@ namespace NPT
     distort(block, parameters_.distortion);
     std::vector<DeformablePart> parts;
     parts.push_back({block,
-                     make_material<3>(parameters_.material,
+                     make_material<3>(computed_material(parameters_),
                                       Point<3>::unit_vector(fiber_axis)),
                      0,
                      "the block"});
@@ -477,4 +458,27 @@ namespace NPT
     row.P /= volume;
     row.error_average = largest_component(row.P - row.P_exact) / largest;
   }
+
+
+
+  namespace
+  {
+    void
+    start(const ParameterText &text, const CommandLine &command)
+    {
+      const auto parameters =
+        SolidBenchmarkParameters::read(text, command.overrides);
+      if (done_with_parameters(command, parameters))
+        return;
+      SolidBenchmark benchmark(parameters,
+                               make_output_directory(command,
+                                                     parameters.directory),
+                               std::cout);
+      benchmark.run();
+    }
+
+    const Registry<Problem>::Registration
+      registration("solid benchmark",
+                   {4, "a comparison of solids with exact solutions", start});
+  } // namespace
 } // namespace NPT

@@ -4,6 +4,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/verification/solids/solid_benchmark_parameters.h>
+#include <npt_dealii/verification/solids/solid_case.h>
 
 #include <algorithm>
 #include <sstream>
@@ -11,21 +12,6 @@
 namespace NPT
 {
   namespace Patterns = dealii::Patterns;
-  using Body         = SolidBenchmarkParameters::Body;
-
-  template <>
-  const EnumNames<Body> &
-  enum_names<Body>()
-  {
-    static const EnumNames<Body> names = {{Body::plate_with_hole,
-                                           "plate with hole"},
-                                          {Body::cylinder, "cylinder"},
-                                          {Body::sphere, "sphere"},
-                                          {Body::block, "block"}};
-    return names;
-  }
-
-
 
   void
   SolidBenchmarkParameters::add_parameters(dealii::ParameterHandler &prm)
@@ -62,15 +48,11 @@ namespace NPT
       prm,
       "Case",
       name,
-      [this](const std::string &text) {
-        name = text;
-        body = value_of<Body>(text);
-      },
       "Plate with a circular hole under tension (Kirsch), thick-walled "
       "cylinder or sphere under inner pressure (Lame): rates of convergence "
       "of the law linearized at the natural state. Block: homogeneous "
       "states of the law at finite strain, in a distorted mesh.",
-      Patterns::Selection(selection<Body>()));
+      Patterns::Selection(SolidCases::instance().selection()));
     add_parameter(prm,
                   "Inner radius",
                   inner_radius,
@@ -126,6 +108,13 @@ namespace NPT
                   "meshes of a series differs by more from p (energy "
                   "norm) or p + 1 (L2 norm) [-].",
                   Patterns::Double(0.));
+    add_parameter(prm,
+                  "Stiffness factor",
+                  stiffness_factor,
+                  "Factor on the constants of the law in the computation "
+                  "only: the exact solution does not know of it. Not 1 "
+                  "to see that a comparison can fail [-].",
+                  Patterns::Double(1e-6));
   }
 
 
@@ -180,6 +169,18 @@ namespace NPT
                   "from the closed form, relative to its largest "
                   "component [-].",
                   Patterns::Double(0.));
+    add_parameter(
+      prm,
+      "Tolerance at a point",
+      pointwise_tolerance ? EntryValue<double>::text(*pointwise_tolerance) :
+                            "none",
+      [this](const std::string &text) {
+        pointwise_tolerance =
+          parse_tolerance(text, "Tolerance at a point", "Homogeneous states");
+      },
+      "The same for the stress at the worst quadrature "
+      "point; none: it is reported only [-].",
+      Patterns::Anything());
     steps.add_parameters(prm);
   }
 
@@ -219,7 +220,7 @@ namespace NPT
       ++axis;
     check_distinct(from_one, "Fiber directions");
     steps.check("subsection Homogeneous states");
-    if (body == Body::block)
+    if (SolidCases::instance().get(name).is_homogeneous())
       return;
 
     std::ostringstream message;

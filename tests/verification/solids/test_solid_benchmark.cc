@@ -261,7 +261,7 @@ TEST_CASE("A benchmark that misses its tolerance ends with status 1 and its "
   CHECK(run.status == 1);
   CHECK_THAT(run.err,
              Catch::Contains("NURBS, p = 2: rate") &&
-               Catch::Contains("in the energy norm, 2 expected"));
+               Catch::Contains("in the energy norm, 2 expected, 0.10 allowed"));
   CHECK(fs::exists(folder / "output-cylinder/convergence.csv"));
   CHECK(fs::exists(folder / "output-cylinder/convergence.gp"));
 }
@@ -294,22 +294,4 @@ TEST_CASE("Unusable benchmarks are refused with one sentence", "[top]")
              Catch::Contains("Degrees names 2 twice"));
   CHECK_THAT(message({"Material/Law=fiber bundle"}),
              Catch::Contains("the one of the neo-Hookean law"));
-}
-
-
-
-TEST_CASE("Every benchmark of solids in prm/verification meets its tolerance",
-          "[top][.slow]")
-{
-  const fs::path folder = fresh_folder("verification");
-  for (const auto &file : fs::directory_iterator(verification))
-    {
-      INFO(file.path().string());
-      const auto run = run_program(folder,
-                                   {file.path().string(),
-                                    "--output",
-                                    file.path().stem().string()});
-      INFO(run.err);
-      CHECK(run.status == 0);
-    }
 }

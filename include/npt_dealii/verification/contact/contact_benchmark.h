@@ -13,57 +13,14 @@
 #include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/solid/deformable_bodies.h>
 #include <npt_dealii/verification/contact/contact_benchmark_parameters.h>
-#include <npt_dealii/verification/contact/contact_cases.h>
+#include <npt_dealii/verification/contact/contact_case.h>
+#include <npt_dealii/verification/contact/contact_comparisons.h>
+#include <npt_dealii/verification/contact/contact_results.h>
 
-#include <cmath>
 #include <memory>
 
 namespace NPT
 {
-  /// A computed quantity beside its exact value.
-  struct ContactComparison
-  {
-    std::string quantity;
-    std::string unit;
-    double      computed = 0;
-    double      exact    = 0;
-
-    /// Relative error; the computed value itself where zero is exact.
-    double
-    error() const
-    {
-      return exact == 0. ? computed : (computed - exact) / std::abs(exact);
-    }
-  };
-
-  /// One accepted load step of a contact benchmark.
-  struct ContactRow
-  {
-    unsigned int        step = 0;
-    std::string         stage;
-    double              load_factor = 0;
-    std::vector<double> value;                   ///< of each handle
-    std::vector<double> force;                   ///< on each handle, whole body
-    double              dissipation         = 0; ///< cumulative, whole body
-    double              largest_penetration = 0; ///< [mm]
-    unsigned int        n_active = 0, n_stick = 0, n_slip = 0;
-    /// Sum of all contact forces over the sum of their magnitudes [-].
-    double force_imbalance = 0;
-    /// Sum of the moments of all contact forces over the sum of the magnitudes
-    /// of both [-].
-    double       moment_imbalance = 0;
-    unsigned int iterations       = 0;
-  };
-
-  /// State at a Gauss point of the secondary surface.
-  struct ContactSample
-  {
-    dealii::Point<3>     x;            ///< current position [mm]
-    double               area     = 0; ///< reference [mm^2]
-    double               pressure = 0; ///< [MPa]
-    dealii::Tensor<1, 3> traction;     ///< of friction, along the slip [MPa]
-  };
-
   /**
    * A contact problem whose solution is known.
    *
@@ -73,8 +30,8 @@ namespace NPT
    *
    * @f[ C^T ( f_{int}(u) + f_{contact}(u) ) = f_{handles} @f]
    *
-   * by Newton's method, with the solids and contact of the plate test. The
-   * comparisons with exact solutions are in contact_comparisons.cc.
+   * by Newton's method, with the solids and contact of the plate test. Bodies,
+   * stages and comparisons with the exact solution are those of a ContactCase.
    */
   class ContactBenchmark
   {
@@ -88,18 +45,22 @@ namespace NPT
                      const std::string                &directory,
                      std::ostream                     &screen);
 
-    /// All stages. Throws StageFailed if a stage cannot be finished.
+    /// All stages. Throws StageFailed if a stage cannot be finished, and
+    /// ToleranceMissed at the end, when all results are on disk.
     void
     run();
 
-    const std::vector<ContactComparison> &
+    const std::vector<Comparison> &
     comparisons() const
     {
-      return comparisons_;
+      return comparisons_.list();
     }
-    /// Throws if there is no such quantity.
-    const ContactComparison &
-    comparison(const std::string &quantity) const;
+    /// Throws dealii::ExcMessage if there is no such quantity.
+    const Comparison &
+    comparison(const std::string &quantity) const
+    {
+      return comparisons_.get(quantity);
+    }
     /// One row per accepted step.
     const std::vector<ContactRow> &
     rows() const
@@ -117,44 +78,9 @@ namespace NPT
     void
     balance(const AcceptedStep &step, ContactRow &row) const;
 
-    // Comparisons, contact_comparisons.cc.
+    /// With the exact solution, where the case has one of this stage.
     void
     compare(const ContactStage &stage);
-    void
-    compare_patch_test();
-    void
-    compare_cylinders();
-    void
-    compare_point_contact();
-    void
-    compare_partial_slip(const std::string &stage);
-    void
-    compare_block();
-    void
-    compare_capstan();
-    void
-    compare_disc_twist();
-    void
-    compare_sphere_twist();
-    void
-    compare_ironing();
-    void
-    compare_value(const std::string &quantity,
-                  const std::string &unit,
-                  const double       computed,
-                  const double       exact);
-    std::vector<ContactSample>
-    samples() const;
-    /// Boundary of the sticking zone, |x| or the radius in the plane x, y.
-    double
-    stick_radius(const bool in_plane) const;
-    /// Abscissa, computed, exact; sorted by the abscissa unless in_order.
-    void
-    write_profile(const std::string                 &x_name,
-                  const std::string                 &y_name,
-                  std::vector<std::array<double, 3>> rows,
-                  const bool                         in_order = false);
-
     void
     output_fields();
     void
@@ -165,6 +91,7 @@ namespace NPT
     RunLog                           log_;
     const double                     cpu_start_;
 
+    const ContactCase                &case_;
     ContactModel                      model_;
     std::unique_ptr<DeformableBodies> bodies_;
     std::unique_ptr<IGASurface<3>>    surfaces_[2]; // secondary, primary
@@ -177,7 +104,7 @@ namespace NPT
     ContactEvaluation<3> evaluation_; // of the last accepted step
 
     std::vector<ContactRow>                     rows_;
-    std::vector<ContactComparison>              comparisons_;
+    ContactComparisons                          comparisons_;
     std::unique_ptr<TableWriter>                table_;
     std::vector<std::pair<double, std::string>> files_;
   };

@@ -12,6 +12,7 @@
 #include <npt_dealii/load_step/newton.h>
 #include <npt_dealii/load_step/step_control.h>
 #include <npt_dealii/material/neo_hookean.h>
+#include <npt_dealii/verification/comparison.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -20,24 +21,6 @@
 
 namespace NPT
 {
-  enum class ContactCase
-  {
-    patch_test,
-    cylinders,
-    sphere,
-    crossed_cylinders,
-    partial_slip,
-    block,
-    capstan,
-    disc_twist,
-    sphere_twist,
-    ironing
-  };
-
-  template <>
-  const EnumNames<ContactCase> &
-  enum_names<ContactCase>();
-
   /// Subsections "Benchmark", "Upper body" and "Lower body".
   struct ContactCaseParameters
   {
@@ -63,9 +46,9 @@ namespace NPT
       check(const std::string &subsection) const;
     };
 
-    ContactCase  type        = ContactCase::cylinders;
-    double       half_width  = 0.01; ///< a of Hertz' contact [mm]
-    double       body_size   = 20.;  ///< over the half width [-]
+    std::string  name        = "cylinders"; ///< of the ContactCase
+    double       half_width  = 0.01;        ///< a of Hertz' contact [mm]
+    double       body_size   = 20.;         ///< over the half width [-]
     double       span_growth = 1.6;
     unsigned int degree      = 2;
     double       pressure    = 1.;   ///< nominal [MPa]
@@ -74,7 +57,9 @@ namespace NPT
     double       wrap_angle  = 120.; ///< [degrees]
     double       thickness   = 0.01; ///< of the belt [mm]
     unsigned int load_steps  = 10;
-    Body         upper, lower;
+    /// Factors that only the computation knows, to see comparisons fail [-].
+    double stiffness_factor = 1., friction_factor = 1.;
+    Body   upper, lower;
 
     /// Bind the members to the entries of the three subsections.
     void
@@ -108,6 +93,7 @@ namespace NPT
     NewtonParameters        newton = {1e-9, 1e-20};
     LinearSolverParameters  linear_solver;
     ContactOutputParameters output;
+    Tolerances              tolerances; ///< subsection "Tolerances"
 
     /// The complete file with defaults, as it will be kept with the results.
     std::string used_file;

@@ -7,7 +7,7 @@
 
 #include <npt_dealii/load_step/equilibrium_problem.h>
 #include <npt_dealii/solid/deformable_bodies.h>
-#include <npt_dealii/verification/contact/contact_cases.h>
+#include <npt_dealii/verification/contact/contact_case.h>
 
 #include <functional>
 #include <vector>
@@ -91,8 +91,8 @@ namespace NPT
       bool   by_force = false;
       double start    = 0; // value or force
       /// From the start and the load factor.
-      std::function<double(double, double)> value =
-        [](const double from, double) { return from; };
+      std::function<double(double, double)> value = [](const double from,
+                                                       double) { return from; };
     };
 
     unsigned int

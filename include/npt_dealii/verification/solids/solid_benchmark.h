@@ -10,6 +10,7 @@
 #include <npt_dealii/solid/deformable_bodies.h>
 #include <npt_dealii/verification/solids/exact_solids.h>
 #include <npt_dealii/verification/solids/solid_benchmark_parameters.h>
+#include <npt_dealii/verification/solids/solid_case.h>
 
 #include <limits>
 #include <memory>
@@ -76,7 +77,7 @@ namespace NPT
                    const std::string              &directory,
                    std::ostream                   &screen);
 
-    /// Throws StageFailed at the end if a rate or a stress misses its
+    /// Throws ToleranceMissed at the end if a rate or a stress misses its
     /// tolerance; all rows are on disk then.
     void
     run();
@@ -136,7 +137,8 @@ namespace NPT
     const SolidBenchmarkParameters   parameters_;
     const std::string                directory_;
     RunLog                           log_;
-    std::unique_ptr<ElasticSolution> exact_; // not for the block
+    const SolidCase                  case_;
+    std::unique_ptr<ElasticSolution> exact_; // not for homogeneous states
 
     // The present body and its system.
     std::unique_ptr<DeformableBodies> body_;

@@ -13,6 +13,7 @@
 #include <npt_dealii/material/make_material.h>
 #include <npt_dealii/verification/solids/exact_solids.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,14 +24,6 @@ namespace NPT
   struct SolidBenchmarkParameters
   {
     /// Subsection "Benchmark".
-    enum class Body
-    {
-      plate_with_hole,
-      cylinder,
-      sphere,
-      block
-    };
-    Body        body         = Body::plate_with_hole;
     std::string name         = "plate with hole"; ///< of the case
     double      inner_radius = 1;                 ///< [mm]
     double      outer_size   = 4;                 ///< [mm]
@@ -44,6 +37,8 @@ namespace NPT
     unsigned int              radial_factor = 1;
     unsigned int              additional_gauss_points = 0;
     double                    rate_tolerance          = 0.1;
+    /// On the computed body only, to see comparisons fail [-].
+    double stiffness_factor = 1;
 
     /// Subsection "Homogeneous states", for the block.
     std::vector<std::pair<std::string, HomogeneousMode>> modes = {
@@ -56,7 +51,8 @@ namespace NPT
     double                    shear            = 0.2;    ///< gamma [-]
     double                    distortion       = 0.25;
     double                    stress_tolerance = 1e-9; ///< relative
-    StepParameters            steps            = {0.25, 1e-4, 0.25};
+    std::optional<double> pointwise_tolerance; ///< relative; none: not judged
+    StepParameters        steps = {0.25, 1e-4, 0.25};
 
     MaterialParameters     material = MaterialParameters("neo-Hookean");
     NewtonParameters       newton   = {1e-12, 1e-14};
@@ -94,9 +90,6 @@ namespace NPT
     check() const;
   };
 
-  template <>
-  const EnumNames<SolidBenchmarkParameters::Body> &
-  enum_names<SolidBenchmarkParameters::Body>();
 } // namespace NPT
 
 #endif

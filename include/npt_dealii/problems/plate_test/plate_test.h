@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Defines the problem "plate test": one run, and summary.csv that says how it
+// ended.
+
+#ifndef npt_dealii_problems_plate_test_plate_test_h
+#define npt_dealii_problems_plate_test_plate_test_h
+
+#include <npt_dealii/problems/plate_test/plate_test_parameters.h>
+
+#include <ostream>
+#include <string>
+
+namespace NPT
+{
+  /**
+   * Run all stages and write summary.csv, also if a stage fails; then
+   * StageFailed is thrown on.
+   *
+   * @param directory Existing folder for all results.
+   */
+  void
+  run_plate_test(const PlateTestParameters &parameters,
+                 const std::string         &directory,
+                 std::ostream              &screen);
+} // namespace NPT
+
+#endif

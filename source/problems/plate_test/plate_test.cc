@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The problem "plate test": the run, its summary, its registration.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/problem.h>
+#include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
+#include <npt_dealii/problems/plate_test/plate_test.h>
+#include <npt_dealii/problems/plate_test/run_summary.h>
+
+#include <iostream>
+
+namespace NPT
+{
+  void
+  run_plate_test(const PlateTestParameters &parameters,
+                 const std::string         &directory,
+                 std::ostream              &screen)
+  {
+    NumericalPlateTesting test(parameters, directory, screen);
+    const auto            summarize = [&]() {
+      RunSummary summary = summarize_curve(test.curve());
+      summary.status     = "done";
+      summary.n_unknowns = test.n_unknowns();
+      return summary;
+    };
+    try
+      {
+        test.run();
+      }
+    catch (const StageFailed &failure)
+      {
+        RunSummary summary = summarize();
+        summary.status     = "failed";
+        summary.reason     = failure.reason();
+        summary.message    = failure.what();
+        // The curve has the cuts of accepted steps only.
+        unsigned int cuts_of_stage = 0;
+        for (const CurveRow &row : test.curve())
+          cuts_of_stage += row.stage == failure.stage() ? row.cuts : 0;
+        summary.cuts += failure.n_cuts() - cuts_of_stage;
+        write_run_summary(directory + "/summary.csv", summary);
+        throw;
+      }
+    write_run_summary(directory + "/summary.csv", summarize());
+  }
+
+
+
+  namespace
+  {
+    void
+    start(const ParameterText &text, const CommandLine &command)
+    {
+      const auto parameters =
+        PlateTestParameters::read(text, command.overrides);
+      if (done_with_parameters(command, parameters))
+        return;
+      const std::string directory =
+        make_output_directory(command, parameters.output.directory);
+      if (command.action == CommandLine::Action::geometry)
+        NumericalPlateTesting(parameters, directory, std::cout).preview();
+      else
+        run_plate_test(parameters, directory, std::cout);
+    }
+
+    const Registry<Problem>::Registration
+      registration("plate test",
+                   {0, "numerical plate testing of a woven cell", start, true});
+  } // namespace
+} // namespace NPT
