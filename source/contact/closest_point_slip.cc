@@ -68,18 +68,33 @@ namespace NPT
             metric[SymmetricIndices<m>::second(a, b)] +=
               entry.weight * (c.a[a] * c.a[b]);
 
-        const SlipReference<dim> &reference = view.step.references[entry.point];
-        if (!reference.known)
+        if (!has_slip(view, entry.point))
           continue;
+        const SlipReference<dim> &reference = view.step.references[entry.point];
         const auto &from = view.geometry.primaries[reference.surface];
         const auto &to   = view.geometry.primaries[c.surface];
-        if (reference.surface != c.surface &&
-            (from.strand() < 0 || from.strand() != to.strand()))
-          continue;
         for (int a = 0; a < m; ++a)
           slip[a] += entry.weight * (c.u[a] - reference.u[a]);
         slip[to.along()] += entry.weight * (to.shift() - from.shift());
       }
+  }
+
+
+
+  template <int dim>
+  bool
+  ClosestPointSlip<dim>::has_slip(const ContactView<dim> &view,
+                                  const unsigned int      q) const
+  {
+    // Parameters of different bodies cannot be subtracted, and those of a point
+    // that was too deep before tell nothing.
+    const ClosestPoint<dim>  &c         = view.evaluation.closest[q];
+    const SlipReference<dim> &reference = view.step.references[q];
+    if (!view.geometry.is_admissible(c) || !reference.known)
+      return false;
+    const int from = view.geometry.primaries[reference.surface].strand();
+    const int to   = view.geometry.primaries[c.surface].strand();
+    return reference.surface == c.surface || (from >= 0 && from == to);
   }
 
 
@@ -135,16 +150,19 @@ namespace NPT
   template <int dim>
   void
   ClosestPointSlip<dim>::first_variations(
-    const ContactView<dim> &,
-    const unsigned int,
+    const ContactView<dim>         &view,
+    const unsigned int              q,
     const ContactKinematics<dim>   &kinematics,
     const PointFunctions<dim>      &functions,
     typename Variations<dim>::Rows &rows) const
   {
     for (int a = 0; a < m; ++a)
-      jets_to_functions<dim>(kinematics.parameter_variation(a),
-                             functions,
-                             rows[1 + a]);
+      if (has_slip(view, q))
+        jets_to_functions<dim>(kinematics.parameter_variation(a),
+                               functions,
+                               rows[1 + a]);
+      else
+        rows[1 + a].assign(dim * functions.dofs.size(), 0.);
     for (unsigned int c = 0; c < ContactKinematics<dim>::n_metric; ++c)
       jets_to_functions<dim>(kinematics.metric_variation(c),
                              functions,

@@ -247,12 +247,15 @@ namespace NPT
 
   template <int dim>
   void
-  ContactPair<dim>::load_points(const unsigned int      I,
+  ContactPair<dim>::load_points(const ContactStep<dim> &step,
+                                const unsigned int      I,
                                 ContactEvaluation<dim> &evaluation) const
   {
-    const auto           &node  = geometry_.averaging.nodes()[I];
-    const NodeState<dim> &state = evaluation.nodes[I];
-    const double          W     = symmetry_weight_[I] * node.area;
+    const ContactView<dim>  view{geometry_, step, evaluation};
+    const SlipMeasure<dim> *slip_measure = measure(step.friction_on);
+    const auto             &node         = geometry_.averaging.nodes()[I];
+    const NodeState<dim>   &state        = evaluation.nodes[I];
+    const double            W            = symmetry_weight_[I] * node.area;
     if (!state.active || !(W > 0.))
       return;
     for (const auto &entry : node.entries)
@@ -261,6 +264,10 @@ namespace NPT
           evaluation.point_loaded[entry.point] = true;
           evaluation.point_pressure[entry.point] +=
             W * entry.weight * state.pressure;
+          // What acts must be what was averaged.
+          if (slip_measure == nullptr ||
+              !slip_measure->has_slip(view, entry.point))
+            continue;
           for (int a = 0; a < m; ++a)
             evaluation.point_traction[entry.point][a] +=
               W * entry.weight * state.friction.traction[a];
@@ -300,7 +307,7 @@ namespace NPT
     for (unsigned int I = 0; I < n_nodes(); ++I)
       {
         evaluate_node(view, I, evaluation.nodes[I]);
-        load_points(I, evaluation);
+        load_points(step, I, evaluation);
       }
     evaluation.serial = step.serial;
   }

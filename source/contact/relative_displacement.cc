@@ -125,10 +125,21 @@ namespace NPT
   {
     slip = {};
     for (const auto &entry : view.geometry.averaging.nodes()[I].entries)
-      for (int a = 0; a < m; ++a)
-        slip[a] += entry.weight * view.step.references[entry.point].weight *
-                   view.evaluation.slip[entry.point].sigma[a];
+      if (has_slip(view, entry.point))
+        for (int a = 0; a < m; ++a)
+          slip[a] += entry.weight * view.step.references[entry.point].weight *
+                     view.evaluation.slip[entry.point].sigma[a];
     metric = view.step.inverse_metric[I];
+  }
+
+
+
+  template <int dim>
+  bool
+  RelativeDisplacement<dim>::has_slip(const ContactView<dim> &view,
+                                      const unsigned int      q) const
+  {
+    return view.geometry.is_admissible(view.evaluation.closest[q]);
   }
 
 

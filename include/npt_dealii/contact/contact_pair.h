@@ -225,7 +225,9 @@ namespace NPT
                   const unsigned int      I,
                   NodeState<dim>         &state) const;
     void
-    load_points(const unsigned int I, ContactEvaluation<dim> &evaluation) const;
+    load_points(const ContactStep<dim> &step,
+                const unsigned int      I,
+                ContactEvaluation<dim> &evaluation) const;
 
     // Where does the traction act? (contact_virtual_work.cc)
     void

@@ -46,6 +46,8 @@ namespace NPT
                   std::array<double, m>  &slip,
                   Metric                 &metric) const override;
     bool
+    has_slip(const ContactView<dim> &view, const unsigned int q) const override;
+    bool
     follows_closest_point() const override;
     const SlipReference<dim> *
     acting_reference(const ContactStep<dim> &step,

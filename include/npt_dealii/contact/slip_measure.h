@@ -68,6 +68,11 @@ namespace NPT
                   std::array<double, m>  &slip,
                   Metric                 &metric) const = 0;
 
+    /// False if a Gauss point has no part in the slip of its nodes; then their
+    /// traction does not act on it either.
+    virtual bool
+    has_slip(const ContactView<dim> &view, const unsigned int q) const = 0;
+
     /// True if slip is a function of the closest point: its variations are
     /// linear forms of the jets then, the metric varies with them, the second
     /// variations are those of ContactKinematics, and these need third

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tests of the picture of a deformed cell.
 
+#include <npt_dealii/homogenization/cell_modes.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/problems/plate_test/cell_picture.h>
 
