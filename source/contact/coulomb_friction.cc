@@ -2,7 +2,7 @@
 // Return mapping of Coulomb friction and its consistent derivatives.
 
 #include <npt_dealii/contact/coulomb_friction.h>
-#include <npt_dealii/contact/surface_metric.h>
+#include <npt_dealii/contact/geometry/surface_metric.h>
 
 #include <cmath>
 

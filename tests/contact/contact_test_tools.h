@@ -5,7 +5,7 @@
 #ifndef npt_dealii_tests_contact_test_tools_h
 #define npt_dealii_tests_contact_test_tools_h
 
-#include <npt_dealii/contact/closest_point_projection.h>
+#include <npt_dealii/contact/geometry/closest_point_projection.h>
 
 #include <catch2/catch.hpp>
 

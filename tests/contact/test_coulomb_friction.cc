@@ -4,7 +4,7 @@
 #include <npt_dealii/contact/contact_parameters.h>
 #include <npt_dealii/contact/coulomb_friction.h>
 #include <npt_dealii/contact/penalty_law.h>
-#include <npt_dealii/contact/surface_metric.h>
+#include <npt_dealii/contact/geometry/surface_metric.h>
 
 #include <catch2/catch.hpp>
 

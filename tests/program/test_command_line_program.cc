@@ -3,7 +3,7 @@
 // a run leaves behind.
 
 #include <npt_dealii/base/command_line.h>
-#include <npt_dealii/problems/plate_test/curve_writer.h>
+#include <npt_dealii/problems/plate_results/curve_writer.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 
 #include <catch2/catch.hpp>

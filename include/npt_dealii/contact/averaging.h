@@ -5,7 +5,7 @@
 #ifndef npt_dealii_contact_averaging_h
 #define npt_dealii_contact_averaging_h
 
-#include <npt_dealii/contact/contact_surface.h>
+#include <npt_dealii/contact/geometry/contact_surface.h>
 
 namespace NPT
 {

@@ -6,7 +6,7 @@
 #define npt_dealii_contact_contact_geometry_h
 
 #include <npt_dealii/contact/averaging.h>
-#include <npt_dealii/contact/closest_point_projection.h>
+#include <npt_dealii/contact/geometry/closest_point_projection.h>
 
 namespace NPT
 {

@@ -5,7 +5,7 @@
 #ifndef npt_dealii_contact_contact_pair_h
 #define npt_dealii_contact_contact_pair_h
 
-#include <npt_dealii/contact/contact_search.h>
+#include <npt_dealii/contact/geometry/contact_search.h>
 #include <npt_dealii/contact/normal_law.h>
 #include <npt_dealii/contact/slip_measure.h>
 

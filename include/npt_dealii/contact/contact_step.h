@@ -4,7 +4,7 @@
 #ifndef npt_dealii_contact_contact_step_h
 #define npt_dealii_contact_contact_step_h
 
-#include <npt_dealii/contact/closest_point_projection.h>
+#include <npt_dealii/contact/geometry/closest_point_projection.h>
 
 namespace NPT
 {

@@ -4,7 +4,7 @@
 #ifndef npt_dealii_contact_contact_variations_h
 #define npt_dealii_contact_contact_variations_h
 
-#include <npt_dealii/contact/contact_kinematics.h>
+#include <npt_dealii/contact/geometry/contact_kinematics.h>
 
 namespace NPT
 {

@@ -4,7 +4,7 @@
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/problems/parameter_study/curve_family.h>
 #include <npt_dealii/problems/parameter_study/study_plots.h>
-#include <npt_dealii/problems/plate_test/plots.h>
+#include <npt_dealii/problems/plate_results/plots.h>
 
 #include <algorithm>
 #include <ostream>

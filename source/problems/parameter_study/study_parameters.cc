@@ -7,7 +7,7 @@
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/problems/parameter_study/study_parameters.h>
-#include <npt_dealii/problems/plate_test/curve_writer.h>
+#include <npt_dealii/problems/plate_results/curve_writer.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -5,7 +5,7 @@
 #include <npt_dealii/base/problem.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 #include <npt_dealii/problems/plate_test/plate_test.h>
-#include <npt_dealii/problems/plate_test/run_summary.h>
+#include <npt_dealii/problems/plate_results/run_summary.h>
 
 #include <iostream>
 

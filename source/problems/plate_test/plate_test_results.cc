@@ -6,10 +6,10 @@
 #include <npt_dealii/homogenization/macro_modes.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/vtu_file.h>
-#include <npt_dealii/problems/plate_test/cell_picture.h>
-#include <npt_dealii/problems/plate_test/hysteresis.h>
+#include <npt_dealii/problems/plate_results/cell_picture.h>
+#include <npt_dealii/problems/plate_results/hysteresis.h>
 #include <npt_dealii/problems/plate_test/plate_test_results.h>
-#include <npt_dealii/problems/plate_test/plots.h>
+#include <npt_dealii/problems/plate_results/plots.h>
 #include <npt_dealii/solid/solid_fields.h>
 
 #include <algorithm>

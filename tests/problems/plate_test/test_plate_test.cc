@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Claims about the numerical plate test as a whole, on a coarse woven cell.
 
-#include <npt_dealii/problems/plate_test/hysteresis.h>
+#include <npt_dealii/problems/plate_results/hysteresis.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 
 #include <catch2/catch.hpp>

@@ -4,7 +4,7 @@
 #ifndef npt_dealii_problems_parameter_study_stability_map_h
 #define npt_dealii_problems_parameter_study_stability_map_h
 
-#include <npt_dealii/problems/plate_test/run_summary.h>
+#include <npt_dealii/problems/plate_results/run_summary.h>
 
 #include <string>
 #include <vector>

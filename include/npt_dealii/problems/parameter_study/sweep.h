@@ -5,7 +5,7 @@
 #ifndef npt_dealii_problems_parameter_study_sweep_h
 #define npt_dealii_problems_parameter_study_sweep_h
 
-#include <npt_dealii/problems/plate_test/run_summary.h>
+#include <npt_dealii/problems/plate_results/run_summary.h>
 
 #include <iosfwd>
 #include <string>

@@ -5,7 +5,7 @@
 #ifndef npt_dealii_problems_parameter_study_work_precision_h
 #define npt_dealii_problems_parameter_study_work_precision_h
 
-#include <npt_dealii/problems/plate_test/curve_writer.h>
+#include <npt_dealii/problems/plate_results/curve_writer.h>
 
 #include <string>
 #include <vector>

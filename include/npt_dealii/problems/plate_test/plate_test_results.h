@@ -7,9 +7,9 @@
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
 #include <npt_dealii/load_step/load_stepper.h>
-#include <npt_dealii/problems/plate_test/curve_writer.h>
+#include <npt_dealii/problems/plate_results/curve_writer.h>
 #include <npt_dealii/problems/plate_test/plate_cell.h>
-#include <npt_dealii/problems/plate_test/step_table.h>
+#include <npt_dealii/problems/plate_results/step_table.h>
 
 #include <deal.II/base/timer.h>
 
