@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The main function of every test program: MPI is initialised once, and
+// The main function of every test program: MPI is initialized once, and
 // deal.II's assertions throw instead of aborting, so that tests can see them.
 
 #define CATCH_CONFIG_RUNNER

@@ -205,7 +205,7 @@ namespace NPT
 
 Usage: npt_dealii FILE.prm [options]
 
-  FILE.prm                the experiment: unit cell, materials, contact, stages
+  FILE.prm                the experiment: cell, materials, contact, stages
 
   --output DIR            write results to DIR instead of the directory named in
                           the file
@@ -223,8 +223,9 @@ Examples:
   npt_dealii shear.prm --output mu02 --set 'Friction/Friction coefficient=0.2'
   npt_dealii --print-defaults > my_test.prm
 
-Exit status: 0 done, 2 the input cannot be used (nothing was computed), other:
-the run ended early and its results so far are complete.
+Exit status: 0 done; 1 a stage could not be finished or a tolerance was missed,
+the results so far are complete; 2 the input cannot be used, nothing was
+computed; 3 an error of the program.
 )";
   }
 

@@ -905,9 +905,9 @@ TEST_CASE("A block pressed on a plane carries penalty times depth times length",
                   CHECK(std::abs(force[1] + N) < 1e-12); // rounding
                   CHECK((force + -1. * pair.force(r, 1)).norm() < 1e-12);
                   // Opposes the motion of the secondary: elastic, then mu N.
-                  const double travelled =
+                  const double traveled =
                     leg == 0 ? i * 0.001 : i * 0.001 - 0.003;
-                  const double expected = std::min(100. * travelled, 0.3 * N);
+                  const double expected = std::min(100. * traveled, 0.3 * N);
                   CHECK(
                     std::abs(force[0] + (leg % 2 == 0 ? expected : -expected)) <
                     1e-10); // penalty times rounding

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Owns the cross-checks of the woven cell: runs, tables and pictures.
+"""Defines the cross-checks of the woven cell: runs, tables and pictures.
 
     cross_checks.py calculix --output DIR [--program npt_dealii] [--store]
         the isotropic cell by CalculiX and by npt_dealii, on several meshes

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Owns the woven sub-unit cell as a deck of CalculiX, its run and its curve.
+"""Defines the woven sub-unit cell as a deck of CalculiX, its run and its curve.
 
 The cell is the isotropic one of doc/cross_checks.md: two straight lens
 bundles that just touch, coupled to themselves by the glide planes (47)-(48)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the user asked for on the command line, and the texts of --help and
-// --version.
+// Defines what the user asked for on the command line, and the texts of --help
+// and --version.
 
 #ifndef npt_dealii_base_command_line_h
 #define npt_dealii_base_command_line_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The typed errors of the program: what a user can mend, what a load step may
-// survive, and what ends a run with its results so far kept.
+// Defines the typed errors of the program: what a user can mend, what a load
+// step may survive, and what ends a run with its results so far kept.
 
 #ifndef npt_dealii_base_exceptions_h
 #define npt_dealii_base_exceptions_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines the small change of messages: quotes, lists, places.
+// Defines the wording that messages share: quotes, lists, places.
 
 #ifndef npt_dealii_base_message_words_h
 #define npt_dealii_base_message_words_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines reading .prm files with messages a user can act on: file and line,
-// what was found, what is allowed, and the nearest valid name.
+// Defines the reading of .prm files with messages a user can act on: file and
+// line, what was found, what is allowed, and the nearest valid name.
 
 #ifndef npt_dealii_base_parameter_file_h
 #define npt_dealii_base_parameter_file_h

@@ -27,7 +27,7 @@ namespace NPT
    * operations of the cell, P -> Q P Q, and Z3 -> Q_33 Z3 in M. Components
    * that change sign under an operation vanish.
    *
-   * @param sum.N sum of P dV [N mm], sum.M sum of Z3 P dV [N mm^2].
+   * @param sum N is the sum of P dV [N mm], M that of Z3 P dV [N mm^2].
    */
   Resultants
   complete_by_symmetry(const FabricCell &cell, const Resultants &sum);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines the door of the isogeometric room on a patch face: surface functions
-// with derivatives up to the third order at any parameter.
+// Defines shape functions on a patch face: values and derivatives up to the
+// third order at any parameter.
 
 #ifndef npt_dealii_iga_iga_surface_h
 #define npt_dealii_iga_iga_surface_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines the door of the isogeometric room: shape values, gradients, JxW and
-// control point indices of a cell.
+// Defines shape functions in a cell: values, gradients, second derivatives, JxW
+// and control point indices.
 
 #ifndef npt_dealii_iga_iga_values_h
 #define npt_dealii_iga_iga_values_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Small tables with named columns in CSV files: written row by row during a
-// run, read back for tests, studies and published curves.
+// Defines small tables with named columns in CSV files: written row by row
+// during a run, read back for tests, studies and published curves.
 
 #ifndef npt_dealii_io_table_file_h
 #define npt_dealii_io_table_file_h

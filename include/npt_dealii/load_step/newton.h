@@ -73,7 +73,7 @@ namespace NPT
      * @f[ q = \frac{\log(r_k / r_{k-1})}{\log(r_{k-1} / r_{k-2})} @f]
      *
      * Last residuals below 1e-13 of the force scale are left out: they are
-     * round-off and would pull q towards zero. NaN if fewer than three
+     * round-off and would pull q toward zero. NaN if fewer than three
      * residuals remain or if the earlier of the two was no drop.
      */
     double

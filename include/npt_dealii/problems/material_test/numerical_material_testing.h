@@ -32,8 +32,8 @@ namespace NPT
     dealii::Tensor<2, 3> P_average; ///< volume average [MPa]
     double               energy       = 0; ///< per volume [MPa]
     double               work         = 0; ///< int P:dH by trapezoids [MPa]
-    double               mean_J       = 1; ///< <det F>
-    double               P_times_F    = 0; ///< <P : F> [MPa]
+    double               mean_J       = 1; ///< mean of det F
+    double               P_times_F    = 0; ///< mean of P : F [MPa]
     unsigned int         iterations   = 0;
     double               newton_order = 0;
   };
