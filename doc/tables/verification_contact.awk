@@ -17,7 +17,8 @@ function row(    unit, relative)
     " | " digits(cell["computed"], relative ? 5 : 2) unit " | " \
     digits(cell["exact"], 5) unit " | " \
     (relative ? per_cent(cell["error"], 2) : "") " | " \
-    (relative ? per_cent(cell["allowed"], 2) : digits(cell["allowed"], 2)) " |"
+    (cell["allowed"] == "" ? "" : relative ? per_cent(cell["allowed"], 2) : \
+      digits(cell["allowed"], 2)) " |"
   last = folder
 }
 

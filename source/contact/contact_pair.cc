@@ -47,10 +47,12 @@ namespace NPT
         make_geometry(secondary, primaries, contact, maximum_penetration))
     , nodes_are_points_(contact.method != ContactParameters::Method::mortar)
     , augmented_(contact.augmented())
-    , normal_law_(
-        Registry<NamedNormalLaw>::instance().get("penalty").make(contact))
-    , friction_law_(
-        Registry<NamedFrictionLaw<m>>::instance().get("Coulomb").make(friction))
+    , normal_law_(Registry<NamedNormalLaw>::instance()
+                    .get(contact.normal_law)
+                    .make(contact))
+    , friction_law_(Registry<NamedFrictionLaw<m>>::instance()
+                      .get(friction.law)
+                      .make(friction))
     , slip_measure_(Registry<NamedSlipMeasure<dim>>::instance()
                       .get(friction.slip_measure)
                       .make())

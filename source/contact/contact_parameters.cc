@@ -3,6 +3,8 @@
 
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/contact/contact_parameters.h>
+#include <npt_dealii/contact/friction_law.h>
+#include <npt_dealii/contact/normal_law.h>
 #include <npt_dealii/contact/slip_measure.h>
 
 namespace NPT
@@ -34,6 +36,24 @@ namespace NPT
 
 
 
+  namespace
+  {
+    /// "NAME: TEXT. NAME: TEXT." of all that is registered.
+    template <typename Entry>
+    std::string
+    descriptions()
+    {
+      const auto &registry = Registry<Entry>::instance();
+      std::string text;
+      for (const std::string &name : registry.names())
+        text += (text.empty() ? "" : " ") + name + ": " +
+                registry.get(name).text + ".";
+      return text;
+    }
+  } // namespace
+
+
+
   void
   ContactParameters::add_parameters(dealii::ParameterHandler &prm)
   {
@@ -46,6 +66,14 @@ namespace NPT
       "over the support of each control point of the secondary surface, "
       "Eqs. (37)-(43); KTS (standard knot-to-surface) takes every Gauss "
       "point by itself, Eqs. (23)-(27).");
+    const auto &laws = Registry<NamedNormalLaw>::instance();
+    add_parameter(prm,
+                  "Normal law",
+                  normal_law,
+                  "Pressure by the gap of a contact node. " +
+                    descriptions<NamedNormalLaw>(),
+                  Patterns::Selection(laws.selection()));
+    add_own_numbers(prm, normal_law_numbers, laws);
     add_parameter(
       prm,
       "Normal penalty",
@@ -129,26 +157,18 @@ namespace NPT
 
 
 
-  namespace
-  {
-    std::string
-    descriptions_of_slip_measures()
-    {
-      const auto &measures = Registry<NamedSlipMeasure<3>>::instance();
-      std::string text;
-      for (const std::string &name : measures.names())
-        text += (text.empty() ? "" : " ") + name + ": " +
-                measures.get(name).text + ".";
-      return text;
-    }
-  } // namespace
-
-
-
   void
   FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
   {
     const ParameterSubsection subsection(prm, "Friction");
+    const auto               &laws = Registry<NamedFrictionLaw<2>>::instance();
+    add_parameter(prm,
+                  "Law",
+                  law,
+                  "Friction traction by the slip of a contact node. " +
+                    descriptions<NamedFrictionLaw<2>>(),
+                  Patterns::Selection(laws.selection()));
+    add_own_numbers(prm, law_numbers, laws);
     add_parameter(prm,
                   "Friction coefficient",
                   coefficient,
@@ -165,7 +185,7 @@ namespace NPT
     add_parameter(prm,
                   "Slip measure",
                   slip_measure,
-                  descriptions_of_slip_measures(),
+                  descriptions<NamedSlipMeasure<3>>(),
                   Patterns::Selection(
                     Registry<NamedSlipMeasure<3>>::instance().selection()));
   }

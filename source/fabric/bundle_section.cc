@@ -22,16 +22,7 @@ namespace NPT
   double
   BundleSection::number(const std::string &entry) const
   {
-    const auto given = numbers.find(entry);
-    if (given != numbers.end())
-      return given->second;
-    for (const SectionNumber &own : shape_of(*this).numbers)
-      if (own.entry == entry)
-        return own.value;
-    AssertThrow(false,
-                dealii::ExcMessage("The shape '" + shape + "' has no number '" +
-                                   entry + "'."));
-    return 0.;
+    return own_number(numbers, shape_of(*this).numbers, entry);
   }
 
 

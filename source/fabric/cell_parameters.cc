@@ -148,14 +148,7 @@ namespace NPT
       "for the lens, n = 1 for the ellipse; the rounded rectangle has flat "
       "faces, arcs of 60 degrees and side faces.",
       Patterns::Selection(shapes.selection()));
-    for (const std::string &name : shapes.names())
-      for (const SectionNumber &number : shapes.get(name).numbers)
-        add_parameter(
-          prm,
-          number.entry,
-          section_numbers.emplace(number.entry, number.value).first->second,
-          number.documentation,
-          *number.pattern);
+    add_own_numbers(prm, section_numbers, shapes);
     add_parameter(prm,
                   "Blunt tip",
                   blunt_tip,
@@ -224,7 +217,7 @@ namespace NPT
         {
           // Entries of the shape steer the angle besides the tip.
           std::string numbers, remedies;
-          for (const SectionNumber &own :
+          for (const OwnNumber &own :
                Registry<SectionShape>::instance().get(section.shape).numbers)
             {
               numbers += own.entry + " is " +

@@ -21,7 +21,7 @@ namespace
   contact_parameters(const std::string &method)
   {
     ContactParameters parameters;
-    parameters.method = value_of<ContactParameters::Method>(method);
+    parameters.method = NPT::value_of<ContactParameters::Method>(method);
     return parameters;
   }
 

@@ -3,8 +3,8 @@
 
 #include <npt_dealii/contact/contact_parameters.h>
 #include <npt_dealii/contact/coulomb_friction.h>
-#include <npt_dealii/contact/penalty_law.h>
 #include <npt_dealii/contact/geometry/surface_metric.h>
+#include <npt_dealii/contact/penalty_law.h>
 
 #include <catch2/catch.hpp>
 
@@ -255,6 +255,8 @@ TEST_CASE("Contact and friction entries read back what the file says",
   CHECK(contact.n_quadrature_points == ContactParameters().n_quadrature_points);
   CHECK(friction.coefficient == FrictionParameters().coefficient);
   CHECK(friction.tangential_penalty == FrictionParameters().tangential_penalty);
+  CHECK(contact.normal_law == "penalty");
+  CHECK(friction.law == "Coulomb");
 
   prm.parse_input_from_string("subsection Contact\n set Method = KTS\n"
                               " set Normal penalty = 7\nend\n"
@@ -267,4 +269,8 @@ TEST_CASE("Contact and friction entries read back what the file says",
     "subsection Contact\n set Normal penalty = 0\nend\n"));
   CHECK_THROWS(prm.parse_input_from_string(
     "subsection Friction\n set Friction coefficient = -0.1\nend\n"));
+  CHECK_THROWS(prm.parse_input_from_string(
+    "subsection Contact\n set Normal law = glue\nend\n"));
+  CHECK_THROWS(
+    prm.parse_input_from_string("subsection Friction\n set Law = glue\nend\n"));
 }

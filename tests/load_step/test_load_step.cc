@@ -27,11 +27,11 @@ namespace
   {
   public:
     explicit Chain(const double cubic,
-                   const double end     = 1.,
-                   const double longest = 1.)
+                   const double pulled_to    = 1.,
+                   const double longest_step = 1.)
       : c(cubic)
-      , end(end)
-      , longest(longest)
+      , end(pulled_to)
+      , longest(longest_step)
     {
       AffineConstraints<double> constraints;
       constraints.add_line(0);

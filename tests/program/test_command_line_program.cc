@@ -244,3 +244,27 @@ TEST_CASE("An output directory that cannot be made ends with status 2", "[top]")
       CHECK(result.out.empty());
     }
 }
+
+
+
+TEST_CASE("One run in several processes is refused with status 2 before it "
+          "makes a folder",
+          "[top]")
+{
+  const fs::path    work    = fresh_folder("mpirun");
+  const std::string command = "cd '" + work.string() +
+                              "' && env -i PATH=\"$PATH\" HOME=\"$HOME\" "
+                              "OMPI_ALLOW_RUN_AS_ROOT=1 "
+                              "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+                              "mpirun --oversubscribe -n 2 '" NPT_PROGRAM
+                              "' '" +
+                              shear + "' > out.txt 2> err.txt";
+  const int status = std::system(command.c_str());
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 2);
+  const std::string message = read_text(work / "err.txt");
+  CHECK_THAT(message, Catch::Contains("mpirun started 2"));
+  // One of them speaks for all.
+  CHECK(message.find("npt_dealii: ") == message.rfind("npt_dealii: "));
+  CHECK_FALSE(fs::exists(work / "output"));
+}

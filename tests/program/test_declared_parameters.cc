@@ -60,8 +60,16 @@ namespace
   std::string
   another_value(const DeclaredEntry &entry)
   {
-    std::vector<std::string> candidates = {
-      "0.25", "0.5", "3", "4", "1", "0.75", "H1: 0.5", "H11: 0.5", "word"};
+    std::vector<std::string> candidates = {"0.25",
+                                           "0.5",
+                                           "0.05",
+                                           "3",
+                                           "4",
+                                           "1",
+                                           "0.75",
+                                           "H1: 0.5",
+                                           "H11: 0.5",
+                                           "word"};
     for (const std::string list : {"true|false", "NURBS|Bernstein", "dilation"})
       for (const auto &word : dealii::Utilities::split_string_list(list, '|'))
         candidates.push_back(word);

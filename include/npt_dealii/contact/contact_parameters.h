@@ -4,6 +4,7 @@
 #ifndef npt_dealii_contact_contact_parameters_h
 #define npt_dealii_contact_contact_parameters_h
 
+#include <npt_dealii/base/own_numbers.h>
 #include <npt_dealii/base/parameter_binding.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -27,7 +28,11 @@ namespace NPT
       augmented_lagrangian ///< with multipliers, to given tolerances
     };
 
-    Method       method                = Method::mortar;
+    Method method = Method::mortar;
+    /// A name of Registry<NamedNormalLaw>.
+    std::string normal_law = "penalty";
+    /// Numbers of all normal laws by entry, see NamedNormalLaw::numbers.
+    OwnValues    normal_law_numbers;
     double       normal_penalty        = 100.; ///< epsilon_N [N/mm^3]
     unsigned int n_quadrature_points   = 0;    ///< 0: degree + 1
     double       maximum_penetration   = 0.5;  ///< fraction of thickness
@@ -64,8 +69,12 @@ namespace NPT
   /// Subsection "Friction".
   struct FrictionParameters
   {
-    double coefficient        = 0.3;  ///< mu [-]
-    double tangential_penalty = 100.; ///< epsilon_T [N/mm^3]
+    /// A name of Registry<NamedFrictionLaw<2>>.
+    std::string law = "Coulomb";
+    /// Numbers of all friction laws by entry, see NamedFrictionLaw::numbers.
+    OwnValues law_numbers;
+    double    coefficient        = 0.3;  ///< mu [-]
+    double    tangential_penalty = 100.; ///< epsilon_T [N/mm^3]
     /// A name of Registry<NamedSlipMeasure<3>>.
     std::string slip_measure = "relative displacement";
 

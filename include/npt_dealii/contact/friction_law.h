@@ -11,6 +11,8 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace NPT
 {
@@ -91,6 +93,8 @@ namespace NPT
     std::function<std::unique_ptr<const FrictionLaw<m>>(
       const FrictionParameters &)>
       make;
+    /// Beyond coefficient and penalty; entries of subsection "Friction".
+    std::vector<OwnNumber> numbers = {};
   };
 } // namespace NPT
 

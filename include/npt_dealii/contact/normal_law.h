@@ -9,6 +9,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace NPT
 {
@@ -56,6 +58,8 @@ namespace NPT
     std::string text; ///< one line for the user
     std::function<std::unique_ptr<const NormalLaw>(const ContactParameters &)>
       make;
+    /// Beyond the penalty; entries of subsection "Contact".
+    std::vector<OwnNumber> numbers = {};
   };
 } // namespace NPT
 

@@ -5,29 +5,17 @@
 #ifndef npt_dealii_fabric_section_shape_h
 #define npt_dealii_fabric_section_shape_h
 
+#include <npt_dealii/base/own_numbers.h>
 #include <npt_dealii/base/registry.h>
 #include <npt_dealii/iga/nurbs_patch.h>
 
-#include <deal.II/base/patterns.h>
-
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace NPT
 {
   struct BundleSection;
-
-  /// A number of a shape beyond width, thickness and blunt tip; an entry of
-  /// subsection "Cell".
-  struct SectionNumber
-  {
-    std::string                                          entry;
-    double                                               value; ///< default
-    std::string                                          documentation;
-    std::shared_ptr<const dealii::Patterns::PatternBase> pattern;
-  };
 
   /**
    * A shape that a parameter file chooses by its name in
@@ -44,7 +32,8 @@ namespace NPT
                                 const unsigned int n_across)>
       patch;
 
-    std::vector<SectionNumber> numbers = {};
+    /// Beyond width, thickness and blunt tip; entries of subsection "Cell".
+    std::vector<OwnNumber> numbers = {};
 
     /// What makes these sizes impossible, without full stop; empty if nothing
     /// does. Sizes that no shape allows are refused before.

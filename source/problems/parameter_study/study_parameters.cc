@@ -372,17 +372,17 @@ namespace NPT
           PlateTestParameters::read(complete);
         result.parameters  = parameters.used_file;
         const auto &stages = parameters.load_programme.stages;
-        Details     details;
-        details.group      = group;
-        details.last_stage = stages.back().name;
-        double largest     = 0;
+        Details     found;
+        found.group      = group;
+        found.last_stage = stages.back().name;
+        double largest   = 0;
         for (const auto *targets :
              {&stages.back().n_targets, &stages.back().H_targets})
           for (const auto &[component, target] : *targets)
             if (std::abs(target) > largest)
               {
-                largest           = std::abs(target);
-                details.component = component;
+                largest         = std::abs(target);
+                found.component = component;
               }
         if (!stage.empty() &&
             std::none_of(stages.begin(), stages.end(), [&](const LoadStage &s) {
@@ -390,7 +390,7 @@ namespace NPT
             }))
           throw InputError("Stage is '" + stage +
                            "', which the load programme does not have" + place);
-        return details;
+        return found;
       }
     catch (const InputError &error)
       {

@@ -2,6 +2,7 @@
 // The columns of curves.csv, stated once for writing, reading and plotting.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/problems/plate_results/curve_column.h>
 #include <npt_dealii/problems/plate_results/curve_writer.h>
 
 #include <deal.II/base/exceptions.h>
@@ -17,6 +18,22 @@ namespace NPT
 
   namespace
   {
+    double &
+    further_value(CurveRow &row, const std::string &name)
+    {
+      return row.further.emplace(name, std::numeric_limits<double>::quiet_NaN())
+        .first->second;
+    }
+
+    double
+    further_value(const CurveRow &row, const std::string &name)
+    {
+      const auto found = row.further.find(name);
+      return found == row.further.end() ?
+               std::numeric_limits<double>::quiet_NaN() :
+               found->second;
+    }
+
     // Call visit(name, unit, entry) for each column in the order of the file.
     template <typename Row, typename Visitor>
     void
@@ -55,6 +72,13 @@ namespace NPT
       visit("cuts", "-", row.cuts);
       visit("newton_order", "-", row.newton_order);
       visit("cpu_seconds", "s", row.cpu_seconds);
+
+      const auto &registered = Registry<CurveColumn>::instance();
+      for (const std::string &name : registered.names())
+        {
+          auto &&value = further_value(row, name);
+          visit(name, registered.get(name).unit, value);
+        }
     }
 
     std::string
@@ -282,7 +306,8 @@ namespace NPT
             for (std::size_t i = 0; i < entries.size(); ++i)
               position[entries[i]] = i;
             for (const std::string &name : curve_columns())
-              if (position.count(name) == 0)
+              if (position.count(name) == 0 &&
+                  !Registry<CurveColumn>::instance().contains(name))
                 throw InputError("Column '" + name + "' is missing in " +
                                  filename + ".");
             continue;
@@ -291,6 +316,8 @@ namespace NPT
         CurveRow row;
         visit_columns(
           row, [&](const std::string &name, const std::string &, auto &value) {
+            if (position.count(name) == 0) // of another program
+              return;
             const std::size_t i = position[name];
             if (i >= entries.size() || !from_text(entries[i], value))
               throw InputError(

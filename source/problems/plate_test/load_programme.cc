@@ -85,8 +85,8 @@ namespace NPT
   LoadStage::targets() const
   {
     std::string text;
-    const auto  add = [&](const char *name, const double value) {
-      text += (text.empty() ? "" : ", ") + std::string(name) + ": " +
+    const auto  add = [&](const char *mode, const double value) {
+      text += (text.empty() ? "" : ", ") + std::string(mode) + ": " +
               EntryValue<double>::text(value);
     };
     for (const auto &[component, value] : H_targets)

@@ -3,9 +3,9 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/problem.h>
+#include <npt_dealii/problems/plate_results/run_summary.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 #include <npt_dealii/problems/plate_test/plate_test.h>
-#include <npt_dealii/problems/plate_results/run_summary.h>
 
 #include <iostream>
 

@@ -7,9 +7,11 @@
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/vtu_file.h>
 #include <npt_dealii/problems/plate_results/cell_picture.h>
+#include <npt_dealii/problems/plate_results/curve_column.h>
 #include <npt_dealii/problems/plate_results/hysteresis.h>
-#include <npt_dealii/problems/plate_test/plate_test_results.h>
 #include <npt_dealii/problems/plate_results/plots.h>
+#include <npt_dealii/problems/plate_test/plate_step.h>
+#include <npt_dealii/problems/plate_test/plate_test_results.h>
 #include <npt_dealii/solid/solid_fields.h>
 
 #include <algorithm>
@@ -159,6 +161,9 @@ namespace NPT
     row.newton_iterations = step.report.newton.iterations;
     row.newton_order      = step.report.newton.order();
     row.cuts              = step.n_cuts;
+    const auto &columns   = Registry<CurveColumn>::instance();
+    for (const std::string &name : columns.names())
+      row.further[name] = columns.get(name).value({cell, step});
     return row;
   }
 

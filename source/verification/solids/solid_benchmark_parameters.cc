@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/problem_names.h>
+#include <npt_dealii/verification/comparison.h>
 #include <npt_dealii/verification/solids/solid_benchmark_parameters.h>
 #include <npt_dealii/verification/solids/solid_case.h>
 

@@ -22,7 +22,6 @@ namespace
   struct Drawn
   {
     FabricCell                  cell;
-    IGASpace<3>                 space;
     std::vector<PictureSurface> surfaces;
   };
 
@@ -51,9 +50,9 @@ namespace
     parameters.weave = weave;
     MeshParameters mesh;
     mesh.elements_along = mesh.elements_across = 5;
-    FabricCell   cell(parameters, mesh);
-    IGASpace<3>  space = make_space(cell);
-    PictureState state;
+    FabricCell        cell(parameters, mesh);
+    const IGASpace<3> space = make_space(cell);
+    PictureState      state;
     state.H = H;
     for (const Point<3> &X : space.control_points())
       {
@@ -64,7 +63,7 @@ namespace
         state.values.push_back(X[2]);
       }
     auto surfaces = make_picture_surfaces(cell, space, state);
-    return {std::move(cell), std::move(space), std::move(surfaces)};
+    return {std::move(cell), std::move(surfaces)};
   }
 
   std::vector<std::array<double, 4>>

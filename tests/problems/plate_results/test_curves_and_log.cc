@@ -5,6 +5,7 @@
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/problems/plate_results/curve_writer.h>
 #include <npt_dealii/problems/plate_results/plots.h>
+#include <npt_dealii/problems/plate_results/step_table.h>
 
 #include <catch2/catch.hpp>
 
@@ -250,7 +251,7 @@ TEST_CASE("The log has one line per accepted step", "[output]")
   const auto         rows = made_up_run();
   NPT::RunLog        log(logfile, screen, true);
   log.header("npt_dealii 0.1", {{"unknowns", "2904"}, {"weave", "plain"}});
-  StepTable table(log);
+  NPT::StepTable table(log);
   table.show_components({2});
   for (const auto &row : rows)
     {

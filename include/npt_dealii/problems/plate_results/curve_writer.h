@@ -12,6 +12,7 @@
 #include <array>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,10 @@ namespace NPT
     /// Observed order of convergence; not a number if it cannot be told.
     double newton_order = std::numeric_limits<double>::quiet_NaN();
     double cpu_seconds  = 0.;
+
+    /// Values of the columns in Registry<CurveColumn>, by name; not a number
+    /// where there is none.
+    std::map<std::string, double> further;
   };
 
   /// The names of all columns in the order of the file.
@@ -91,8 +96,9 @@ namespace NPT
 
   /**
    * Read a curve file; columns are found by name, others than those of
-   * CurveRow are ignored. Throws InputError if a column is missing or an entry
-   * is no number. A last line without its end (an interrupted run) is dropped.
+   * CurveRow are ignored. Throws InputError if a column is missing (those that
+   * register themselves may be) or an entry is no number. A last line without
+   * its end (an interrupted run) is dropped.
    */
   std::vector<CurveRow>
   read_curves(const std::string &filename);

@@ -8,8 +8,8 @@
 #include <npt_dealii/linear_algebra/linear_solver.h>
 #include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/plate_results/curve_writer.h>
-#include <npt_dealii/problems/plate_test/plate_cell.h>
 #include <npt_dealii/problems/plate_results/step_table.h>
+#include <npt_dealii/problems/plate_test/plate_cell.h>
 
 #include <deal.II/base/timer.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Hertz' contact of two cylinders with crossed axes.
 
+#include <npt_dealii/verification/contact/cases/hertz_bodies.h>
 #include <npt_dealii/verification/contact/contact_benchmark_parameters.h>
 #include <npt_dealii/verification/contact/contact_bodies.h>
 #include <npt_dealii/verification/contact/contact_case.h>
 #include <npt_dealii/verification/contact/contact_comparisons.h>
 #include <npt_dealii/verification/contact/contact_results.h>
-#include <npt_dealii/verification/contact/cases/hertz_bodies.h>
 
 namespace NPT
 {

@@ -2,8 +2,8 @@
 // What the cases of Hertzian contact share.
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/verification/contact/contact_bodies.h>
 #include <npt_dealii/verification/contact/cases/hertz_bodies.h>
+#include <npt_dealii/verification/contact/contact_bodies.h>
 
 #include <algorithm>
 #include <cmath>

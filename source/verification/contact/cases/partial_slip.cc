@@ -2,12 +2,12 @@
 // Partial slip of two cylinders after Cattaneo and Mindlin.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/verification/contact/cases/hertz_bodies.h>
 #include <npt_dealii/verification/contact/contact_benchmark_parameters.h>
 #include <npt_dealii/verification/contact/contact_bodies.h>
 #include <npt_dealii/verification/contact/contact_case.h>
 #include <npt_dealii/verification/contact/contact_comparisons.h>
 #include <npt_dealii/verification/contact/contact_results.h>
-#include <npt_dealii/verification/contact/cases/hertz_bodies.h>
 
 #include <algorithm>
 #include <cmath>
