@@ -240,6 +240,49 @@ TEST_CASE("Slip traction is parallel to the trial one: friction is isotropic",
 
 
 
+namespace
+{
+  // A friction law of which no other file knows, with a number of its own.
+  const std::vector<OwnNumber> strong_numbers = {
+    {"Friction factor",
+     2.,
+     "strong only: factor of mu [-].",
+     std::make_shared<dealii::Patterns::Double>(0.)}};
+
+  const Registry<NamedFrictionLaw<2>>::Registration
+    strong("strong",
+           {"Coulomb's law with a multiple of mu",
+            [](const FrictionParameters &parameters) {
+              return std::make_unique<CoulombFriction<2>>(
+                parameters.coefficient * own_number(parameters.law_numbers,
+                                                    strong_numbers,
+                                                    "Friction factor"),
+                parameters.tangential_penalty);
+            },
+            strong_numbers});
+} // namespace
+
+TEST_CASE("A friction law that registers itself is read with its number",
+          "[contact]")
+{
+  dealii::ParameterHandler prm;
+  FrictionParameters       friction;
+  const auto               slip_traction = [&]() {
+    const auto law =
+      Registry<NamedFrictionLaw<2>>::instance().get("strong").make(friction);
+    return (*law)({}, {{1., 0.}}, {{1., 0., 1.}}, 2.).traction[0];
+  };
+  CHECK(slip_traction() == Approx(0.3 * 2. * 2.)); // the default 2
+
+  friction.add_parameters(prm);
+  prm.parse_input_from_string("subsection Friction\n set Law = strong\n"
+                              " set Friction factor = 1.5\nend\n");
+  CHECK(friction.law == "strong");
+  CHECK(slip_traction() == Approx(0.3 * 1.5 * 2.));
+}
+
+
+
 TEST_CASE("Contact and friction entries read back what the file says",
           "[contact]")
 {

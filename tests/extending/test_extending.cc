@@ -129,17 +129,38 @@ TEST_CASE("Stress and tangent of the Mooney-Rivlin law are the derivatives of "
 
 
 
-TEST_CASE("Mooney-Rivlin bundles shear symmetrically when a parameter file "
-          "names the law",
+TEST_CASE("A sheared weave of Mooney-Rivlin bundles with c2 = 0 is that of "
+          "neo-Hookean ones, and c2 matters",
           "[extending]")
 {
-  const auto curve =
-    curve_of_example("material/mooney_rivlin.prm", "extending_material");
-  const CurveRow &sheared = end_of("shear", curve);
-  CHECK(sheared.H[2] == Approx(0.02));
-  CHECK(sheared.n[2] > 0.);
-  // Warp and weft are alike.
-  CHECK(sheared.n[0] == Approx(sheared.n[1]).epsilon(1e-5));
+  const std::string section = "Fiber bundle material/";
+  const auto        sheared = [&](const std::string              &name,
+                           const std::vector<std::string> &entries) {
+    std::vector<std::string> arguments;
+    for (const std::string &entry : entries)
+      {
+        arguments.push_back("--set");
+        arguments.push_back(section + entry);
+      }
+    return end_of(
+      "shear", curve_of_example("material/mooney_rivlin.prm", name, arguments));
+  };
+  // mu = 2 (c1 + c2) = 8 MPa and K = 20 MPa in all three.
+  const CurveRow of_file = sheared("extending_material", {});
+  const CurveRow without_c2 =
+    sheared("extending_material_c1", {"Mooney c1=4", "Mooney c2=0"});
+  const CurveRow neo_hookean = sheared("extending_neo_hookean",
+                                       {"Law=neo-Hookean",
+                                        "Young modulus=21.176470588235293",
+                                        "Poisson ratio=0.3235294117647059"});
+  CHECK(of_file.H[2] == Approx(0.02));
+  CHECK(of_file.n[2] > 0.);
+  for (const unsigned int mode : {0, 1, 2})
+    {
+      // Newton's method stops at 1e-7 of the forces.
+      CHECK(without_c2.n[mode] == Approx(neo_hookean.n[mode]).epsilon(1e-5));
+      CHECK(of_file.n[mode] != Approx(neo_hookean.n[mode]).epsilon(1e-4));
+    }
 }
 
 
@@ -248,7 +269,8 @@ TEST_CASE("The flattened lens is exact for any degree and mesh, and its area "
 
 
 
-TEST_CASE("Bundles with flat faces touch over more nodes than lenses",
+TEST_CASE("Bundles with flat faces touch over at least as many nodes as "
+          "lenses",
           "[extending]")
 {
   const std::string file = "section/flattened_lens.prm";

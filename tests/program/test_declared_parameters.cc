@@ -56,6 +56,14 @@ namespace
     return entries_of(prm);
   }
 
+  /// A choice among one registered thing: there is no other value.
+  bool
+  is_fixed(const DeclaredEntry &entry)
+  {
+    return entry.pattern.find("[Selection ") == 0 &&
+           entry.pattern.find('|') == std::string::npos;
+  }
+
   /// A value that the entry allows and does not have.
   std::string
   another_value(const DeclaredEntry &entry)
@@ -123,7 +131,7 @@ namespace
     Parameters    untouched;
     const Entries defaults = members_of(untouched);
     for (const auto &[path, entry] : defaults)
-      if (structural.count(path) == 0)
+      if (structural.count(path) == 0 && !is_fixed(entry))
         {
           const std::string value = another_value(entry);
           CAPTURE(path, entry.pattern, value);
