@@ -61,12 +61,12 @@ namespace NPT
     for (const auto &entry : view.geometry.averaging.nodes()[I].entries)
       {
         const ClosestPoint<dim> &c = view.evaluation.closest[entry.point];
-        if (!view.geometry.is_admissible(c))
+        if (!view.step.reach.has(entry.point))
           continue;
+        const double A = view.step.reach.weight(I, entry);
         for (int a = 0; a < m; ++a)
           for (int b = a; b < m; ++b)
-            metric[SymmetricIndices<m>::second(a, b)] +=
-              entry.weight * (c.a[a] * c.a[b]);
+            metric[SymmetricIndices<m>::second(a, b)] += A * (c.a[a] * c.a[b]);
 
         if (!has_slip(view, entry.point))
           continue;
@@ -74,8 +74,8 @@ namespace NPT
         const auto &from = view.geometry.primaries[reference.surface];
         const auto &to   = view.geometry.primaries[c.surface];
         for (int a = 0; a < m; ++a)
-          slip[a] += entry.weight * (c.u[a] - reference.u[a]);
-        slip[to.along()] += entry.weight * (to.shift() - from.shift());
+          slip[a] += A * (c.u[a] - reference.u[a]);
+        slip[to.along()] += A * (to.shift() - from.shift());
       }
   }
 
@@ -87,10 +87,10 @@ namespace NPT
                                   const unsigned int      q) const
   {
     // Parameters of different bodies cannot be subtracted, and those of a point
-    // that was too deep before tell nothing.
+    // that was behind the body before tell nothing.
     const ClosestPoint<dim>  &c         = view.evaluation.closest[q];
     const SlipReference<dim> &reference = view.step.references[q];
-    if (!view.geometry.is_admissible(c) || !reference.known)
+    if (!view.step.reach.has(q) || !reference.known)
       return false;
     const int from = view.geometry.primaries[reference.surface].strand();
     const int to   = view.geometry.primaries[c.surface].strand();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 namespace NPT
@@ -53,9 +54,20 @@ namespace NPT
     ContactPositions<dim> positions;
     geometry_.update_positions(accepted, positions);
     const ContactSearch<dim> search(geometry_.primaries, positions.primaries);
-    step.starts.resize(geometry_.points.size());
-    for (unsigned int q = 0; q < geometry_.points.size(); ++q)
-      step.starts[q] = find_start(search, positions, state.closest[q], q);
+    const unsigned int       n_points = geometry_.points.size();
+    step.starts.resize(n_points);
+    step.behind.resize(n_points);
+    step.reach.of_point.resize(n_points);
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        const ClosestPoint<dim> c =
+          find_start(search, positions, state.closest[q], q);
+        step.starts[q]         = {true, c.surface, c.u};
+        step.behind[q]         = state.behind.empty() ? geometry_.is_deep(c) :
+                                                        state.behind[q] && c.gap < 0.;
+        step.reach.of_point[q] = reach_of_point(c, step.behind[q]);
+      }
+    set_reach_of_nodes(step.reach);
 
     if (const SlipMeasure<dim> *slip_measure = measure(step.friction_on))
       slip_measure->set_references(geometry_, state, positions, step);
@@ -65,7 +77,45 @@ namespace NPT
 
 
   template <int dim>
-  ProjectionStart<dim>
+  double
+  ContactPair<dim>::reach_of_point(const ClosestPoint<dim> &c,
+                                   const bool               behind) const
+  {
+    if (behind)
+      return 0.;
+    if (!c.on_boundary)
+      return 1.;
+    const double height = c.r * c.surface_normal;
+    const double beside =
+      std::sqrt(std::max(0., c.r.norm_square() - height * height));
+    return std::min(1., std::max(0., 2. - beside / geometry_.reach));
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::set_reach_of_nodes(ContactReach &reach) const
+  {
+    reach.of_node.assign(n_nodes(), 1.);
+    for (unsigned int I = 0; I < n_nodes(); ++I)
+      {
+        bool   all = true;
+        double sum = 0;
+        for (const auto &entry : geometry_.averaging.nodes()[I].entries)
+          {
+            all = all && reach.of_point[entry.point] == 1.;
+            sum += entry.weight * reach.of_point[entry.point];
+          }
+        if (!all) // otherwise one, without round-off
+          reach.of_node[I] = sum;
+      }
+  }
+
+
+
+  template <int dim>
+  ClosestPoint<dim>
   ContactPair<dim>::find_start(const ContactSearch<dim>    &search,
                                const ContactPositions<dim> &positions,
                                const ProjectionStart<dim>  &accepted,
@@ -78,9 +128,8 @@ namespace NPT
 
     // Of the candidates on the near side the closest one wins; a point
     // behind the body may look closer but belongs to the far side.
-    ProjectionStart<dim> start;
-    ClosestPoint<dim>    c;
-    double               best = std::numeric_limits<double>::max();
+    ClosestPoint<dim> start, c;
+    double            best = std::numeric_limits<double>::max();
     for (const auto &candidate : candidates)
       {
         project(geometry_.primaries[candidate.surface],
@@ -91,18 +140,18 @@ namespace NPT
                 c);
         if (!c.found)
           continue;
-        const double distance =
-          c.r.norm() + (geometry_.is_admissible(c) ? 0. : 1e6);
+        const double distance = geometry_.is_deep(c) ?
+                                  1e6 * (c.r.norm() + geometry_.reach) :
+                                  c.r.norm();
         // A later candidate must be better by more than round-off.
         if (distance < best * (1 - 1e-9))
           {
             best          = distance;
-            start.known   = true;
+            start         = c;
             start.surface = candidate.surface;
-            start.u       = c.u;
           }
       }
-    if (!start.known)
+    if (!start.found)
       throw_lost(q);
     return start;
   }
@@ -216,13 +265,15 @@ namespace NPT
   {
     const ContactStep<dim> &step = view.step;
     state                        = NodeState<dim>();
-    for (const auto &entry : geometry_.averaging.nodes()[I].entries)
+    if (!(step.reach.of_node[I] > 0.)) // no partner: as open as can be told
       {
-        const ClosestPoint<dim> &c = view.evaluation.closest[entry.point];
-        state.gap +=
-          entry.weight *
-          (geometry_.is_admissible(c) ? c.gap : geometry_.maximum_penetration);
+        state.gap = geometry_.reach;
+        return;
       }
+    for (const auto &entry : geometry_.averaging.nodes()[I].entries)
+      if (step.reach.has(entry.point))
+        state.gap += step.reach.weight(I, entry) *
+                     view.evaluation.closest[entry.point].gap;
     const auto normal =
       (*normal_law_)(state.gap, step.multiplier[I], step.penalty_scale);
     state.active   = normal.active;
@@ -255,22 +306,22 @@ namespace NPT
     const SlipMeasure<dim> *slip_measure = measure(step.friction_on);
     const auto             &node         = geometry_.averaging.nodes()[I];
     const NodeState<dim>   &state        = evaluation.nodes[I];
-    const double            W            = symmetry_weight_[I] * node.area;
+    const double            W            = weight(step.reach, I);
     if (!state.active || !(W > 0.))
       return;
     for (const auto &entry : node.entries)
-      if (geometry_.is_admissible(evaluation.closest[entry.point]))
+      if (step.reach.has(entry.point))
         {
+          const double A                       = step.reach.weight(I, entry);
           evaluation.point_loaded[entry.point] = true;
-          evaluation.point_pressure[entry.point] +=
-            W * entry.weight * state.pressure;
+          evaluation.point_pressure[entry.point] += W * A * state.pressure;
           // What acts must be what was averaged.
           if (slip_measure == nullptr ||
               !slip_measure->has_slip(view, entry.point))
             continue;
           for (int a = 0; a < m; ++a)
             evaluation.point_traction[entry.point][a] +=
-              W * entry.weight * state.friction.traction[a];
+              W * A * state.friction.traction[a];
         }
   }
 
@@ -289,6 +340,7 @@ namespace NPT
     const ContactView<dim>  view{geometry_, step, evaluation};
     evaluation.serial      = 0; // half a state if the projection throws
     evaluation.friction_on = step.friction_on;
+    evaluation.reach       = step.reach;
 
     geometry_.update_positions(displacement, evaluation.positions);
     evaluation.closest.resize(n_points);

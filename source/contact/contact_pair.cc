@@ -3,9 +3,11 @@
 // results. Gaps and laws are in contact_evaluation.cc, the virtual work in
 // contact_virtual_work.cc.
 
+#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/contact/contact_pair.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace NPT
 {
@@ -14,12 +16,17 @@ namespace NPT
 
   namespace
   {
+    // Beside an edge the partner is out of reach from half a thickness on:
+    // pressed surfaces do not bulge farther, and the mean over a control
+    // point's support must not be ruled by points that touch nothing.
+    constexpr double relative_reach = 0.5;
+
     template <int dim>
     ContactGeometry<dim>
     make_geometry(const ContactSurface<dim>              &secondary,
                   const std::vector<ContactSurface<dim>> &primaries,
                   const ContactParameters                &contact,
-                  const double                            maximum_penetration)
+                  const double                            thickness)
     {
       const auto points =
         secondary.surface().quadrature(contact.n_quadrature_points);
@@ -29,7 +36,8 @@ namespace NPT
               contact.method == ContactParameters::Method::mortar ?
                 Averaging::mortar<dim>(secondary.surface(), points) :
                 Averaging::pointwise<dim>(points),
-              maximum_penetration};
+              contact.maximum_penetration * thickness,
+              relative_reach * thickness};
     }
   } // namespace
 
@@ -41,10 +49,9 @@ namespace NPT
     const std::vector<ContactSurface<dim>> &primaries,
     const ContactParameters                &contact,
     const FrictionParameters               &friction,
-    const double                            maximum_penetration,
+    const double                            thickness,
     const SymmetryWeight                   &symmetry_weight)
-    : geometry_(
-        make_geometry(secondary, primaries, contact, maximum_penetration))
+    : geometry_(make_geometry(secondary, primaries, contact, thickness))
     , nodes_are_points_(contact.method != ContactParameters::Method::mortar)
     , augmented_(contact.augmented())
     , normal_law_(Registry<NamedNormalLaw>::instance()
@@ -139,8 +146,10 @@ namespace NPT
     const ContactStep<dim> step = begin_step(state, displacement);
     ContactEvaluation<dim> evaluation;
     evaluate(step, displacement, evaluation);
-    ContactState<dim> result = state;
-    result.closest           = accept(step, evaluation).closest;
+    ContactState<dim>       result   = state;
+    const ContactState<dim> accepted = accept(step, evaluation);
+    result.closest                   = accepted.closest;
+    result.behind                    = accepted.behind;
     return result;
   }
 
@@ -166,10 +175,11 @@ namespace NPT
     for (unsigned int q = 0; q < state.closest.size(); ++q)
       {
         const ClosestPoint<dim> &c = evaluation.closest[q];
-        state.closest[q].known     = geometry_.is_admissible(c);
+        state.closest[q].known     = !step.behind[q];
         state.closest[q].surface   = c.surface;
         state.closest[q].u         = c.u;
       }
+    state.behind        = step.behind;
     state.penalty_scale = step.penalty_scale;
     return state;
   }
@@ -216,6 +226,24 @@ namespace NPT
 
 
 
+  template <int dim>
+  void
+  ContactPair<dim>::check_depth(const ContactEvaluation<dim> &evaluation) const
+  {
+    for (unsigned int q = 0; q < evaluation.closest.size(); ++q)
+      if (evaluation.reach.has(q) && geometry_.is_deep(evaluation.closest[q]))
+        {
+          std::ostringstream detail;
+          detail << "contact point " << q << " lies "
+                 << -evaluation.closest[q].gap << " mm deep, more than the "
+                 << geometry_.maximum_penetration
+                 << " mm of Maximum penetration";
+          throw PenetrationTooDeep(detail.str());
+        }
+  }
+
+
+
   // ---------------------------------------------------------------- results
 
   template <int dim>
@@ -228,13 +256,11 @@ namespace NPT
       {
         const NodeState<dim> &state = evaluation.nodes[I];
         const unsigned int    k     = symmetry_weight_[I];
-        const double          W     = k * geometry_.averaging.nodes()[I].area;
+        const double          W     = weight(evaluation.reach, I);
         result.energy += W * state.energy;
         if (!state.active)
           continue;
         result.n_active += k;
-        result.largest_penetration =
-          std::max(result.largest_penetration, -state.gap);
         if (evaluation.friction_on)
           {
             (state.slipping ? result.n_slip : result.n_stick) += k;
@@ -242,6 +268,12 @@ namespace NPT
             result.dissipation += W * state.friction.dissipation;
           }
       }
+    // Depth is that of points: a mean over a control point may be open where
+    // a corner of the other body is deep inside.
+    for (unsigned int q = 0; q < evaluation.closest.size(); ++q)
+      if (evaluation.reach.has(q))
+        result.largest_penetration =
+          std::max(result.largest_penetration, -evaluation.closest[q].gap);
     return result;
   }
 
@@ -254,11 +286,9 @@ namespace NPT
   {
     AssertIndexRange(I, evaluation.nodes.size());
     const SlipMeasure<dim> *slip_measure = measure(evaluation.friction_on);
-    return slip_measure == nullptr ? Tensor<1, dim>() :
-                                     slip_measure->traction_vector(
-                                       geometry_.averaging.nodes()[I],
-                                       evaluation,
-                                       evaluation.nodes[I].friction.traction);
+    return slip_measure == nullptr || !evaluation.nodes[I].active ?
+             Tensor<1, dim>() :
+             slip_measure->traction_vector(geometry_, evaluation, I);
   }
 
 
@@ -270,11 +300,9 @@ namespace NPT
   {
     AssertIndexRange(I, evaluation.nodes.size());
     const SlipMeasure<dim> *slip_measure = measure(evaluation.friction_on);
-    return slip_measure == nullptr ?
+    return slip_measure == nullptr || !evaluation.nodes[I].active ?
              Tensor<1, dim>() :
-             slip_measure->slip_vector(geometry_.averaging.nodes()[I],
-                                       evaluation,
-                                       evaluation.nodes[I].slip);
+             slip_measure->slip_vector(geometry_, evaluation, I);
   }
 
   template class ContactPair<2>;

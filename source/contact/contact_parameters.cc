@@ -93,10 +93,19 @@ namespace NPT
       prm,
       "Maximum penetration",
       maximum_penetration,
-      "A closest point that lies deeper than this fraction of the bundle "
-      "thickness inside the primary body is taken for its far side and "
-      "rejected [-].",
+      "A load step in which a contact point gets deeper than this fraction of "
+      "the bundle thickness into the other body is cut [-]: such a point could "
+      "as well come from the far side. Results do not depend on it.",
       Patterns::Double(0.01, 1.));
+    add_parameter(
+      prm,
+      "Maximum overlap",
+      maximum_overlap,
+      "Plate test: bundles that lie deeper in each other than this fraction of "
+      "their thickness when a stage ends, wherever and whether contact is "
+      "posed there or not, end the run with exit status 1; a quarter of it "
+      "gives a warning [-].",
+      Patterns::Double(0.01, 0.5));
     add_parameter(
       prm,
       "Edge radius",

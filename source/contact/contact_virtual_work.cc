@@ -218,11 +218,11 @@ namespace NPT
                                          std::vector<double>    &block) const
   {
     const NodeState<dim> &state = view.evaluation.nodes[I];
-    const double W = symmetry_weight_[I] * geometry_.averaging.nodes()[I].area;
-    const auto  &rows     = variations.rows;
-    const unsigned int  n = rows[0].size();
-    std::vector<double> right(n);
-    const auto          add_product = [&](const std::vector<double> &left) {
+    const double          W     = weight(view.step.reach, I);
+    const auto           &rows  = variations.rows;
+    const unsigned int    n     = rows[0].size();
+    std::vector<double>   right(n);
+    const auto            add_product = [&](const std::vector<double> &left) {
       for (unsigned int k = 0; k < n; ++k)
         {
           double      *target = &block[k * n];
@@ -266,11 +266,11 @@ namespace NPT
     std::vector<unsigned int>          &slot,
     Variations<dim>                    &average) const
   {
-    const auto &entries = geometry_.averaging.nodes()[I].entries;
-    const auto &closest = view.evaluation.closest;
+    const auto         &entries = geometry_.averaging.nodes()[I].entries;
+    const ContactReach &reach   = view.step.reach;
     average.dofs.clear();
     for (const auto &entry : entries)
-      if (geometry_.is_admissible(closest[entry.point]))
+      if (reach.has(entry.point))
         for (const unsigned int dof : of_points[entry.point].dofs)
           {
             if (dof >= slot.size())
@@ -286,14 +286,15 @@ namespace NPT
     for (unsigned int r = 0; r < n_rows; ++r)
       average.rows[r].assign(dim * average.dofs.size(), 0.);
     for (const auto &entry : entries)
-      if (geometry_.is_admissible(closest[entry.point]))
+      if (reach.has(entry.point))
         {
-          const Variations<dim> &point = of_points[entry.point];
+          const Variations<dim> &point  = of_points[entry.point];
+          const double           weight = reach.weight(I, entry);
           for (unsigned int A = 0; A < point.dofs.size(); ++A)
             for (unsigned int r = 0; r < n_rows; ++r)
               for (unsigned int i = 0; i < dim; ++i)
                 average.rows[r][slot[point.dofs[A]] + i] +=
-                  entry.weight * point.rows[r][A * dim + i];
+                  weight * point.rows[r][A * dim + i];
         }
     for (const unsigned int dof : average.dofs)
       slot[dof] = dealii::numbers::invalid_unsigned_int;
@@ -375,8 +376,8 @@ namespace NPT
     std::vector<double>       block;
     for (unsigned int I = 0; I < n_nodes(); ++I)
       {
-        if (!view.evaluation.nodes[I].active || symmetry_weight_[I] == 0 ||
-            geometry_.averaging.nodes()[I].area == 0.)
+        if (!view.evaluation.nodes[I].active ||
+            weight(view.step.reach, I) == 0.)
           continue;
         average_variations(view, I, of_points, slot, average);
         block.assign(dealii::Utilities::fixed_power<2>(dim *
@@ -428,7 +429,7 @@ namespace NPT
         for (const auto &entry : geometry_.averaging.nodes()[I].entries)
           {
             const ClosestPoint<dim> &c = evaluation.closest[entry.point];
-            if (!geometry_.is_admissible(c))
+            if (!step.reach.has(entry.point))
               continue;
             const auto &s = geometry_.points[entry.point].shape;
             for (const unsigned int l : s.lattice)

@@ -38,21 +38,25 @@ namespace NPT
         reference.start = slip[q].sigma;
         // Points out of reach do not slide on anything. Their part fades, so
         // that no point enters or leaves the average at once.
-        reference.weight = std::min(
-          1.,
-          std::max(0., 2. - slip[q].d.norm() / geometry.maximum_penetration));
+        reference.weight =
+          std::min(1., std::max(0., 2. - slip[q].d.norm() / geometry.reach));
       }
 
     const auto &nodes = geometry.averaging.nodes();
     step.inverse_metric.resize(nodes.size());
     for (unsigned int I = 0; I < nodes.size(); ++I)
       {
+        if (!(step.reach.of_node[I] > 0.))
+          continue;
         SurfaceMatrix<m> metric = {};
         for (const auto &entry : nodes[I].entries)
-          for (int a = 0; a < m; ++a)
-            for (int b = 0; b < m; ++b)
-              metric[a][b] += entry.weight * (slip[entry.point].tau[a] *
-                                              slip[entry.point].tau[b]);
+          {
+            const auto  &tau = slip[entry.point].tau;
+            const double A   = step.reach.weight(I, entry);
+            for (int a = 0; a < m; ++a)
+              for (int b = 0; b < m; ++b)
+                metric[a][b] += A * (tau[a] * tau[b]);
+          }
         const auto inverse = invert_symmetric<m>(metric);
         for (int a = 0; a < m; ++a)
           for (int b = a; b < m; ++b)
@@ -127,7 +131,8 @@ namespace NPT
     for (const auto &entry : view.geometry.averaging.nodes()[I].entries)
       if (has_slip(view, entry.point))
         for (int a = 0; a < m; ++a)
-          slip[a] += entry.weight * view.step.references[entry.point].weight *
+          slip[a] += view.step.reach.weight(I, entry) *
+                     view.step.references[entry.point].weight *
                      view.evaluation.slip[entry.point].sigma[a];
     metric = view.step.inverse_metric[I];
   }
@@ -139,7 +144,7 @@ namespace NPT
   RelativeDisplacement<dim>::has_slip(const ContactView<dim> &view,
                                       const unsigned int      q) const
   {
-    return view.geometry.is_admissible(view.evaluation.closest[q]);
+    return view.step.reach.has(q);
   }
 
 

@@ -15,10 +15,11 @@ namespace NPT
     SurfaceMatrix<m> metric = {};
     for (const auto &entry : view.geometry.averaging.nodes()[I].entries)
       {
-        const auto &tangent = tangents(view.evaluation, entry.point);
+        const auto  &tangent = tangents(view.evaluation, entry.point);
+        const double A       = view.step.reach.weight(I, entry);
         for (int a = 0; a < m; ++a)
           for (int b = 0; b < m; ++b)
-            metric[a][b] += entry.weight * (tangent[a] * tangent[b]);
+            metric[a][b] += A * (tangent[a] * tangent[b]);
       }
     return traction_is_covariant() ? invert_symmetric<m>(metric) : metric;
   }
@@ -27,15 +28,17 @@ namespace NPT
 
   template <int dim>
   Tensor<1, dim>
-  SlipMeasure<dim>::tangent_vector(const Averaging::Node        &node,
+  SlipMeasure<dim>::tangent_vector(const ContactGeometry<dim>   &geometry,
                                    const ContactEvaluation<dim> &evaluation,
+                                   const unsigned int            I,
                                    const std::array<double, m>  &v,
                                    const bool covariant) const
   {
     std::array<Tensor<1, dim>, m> tangent;
-    for (const auto &entry : node.entries)
+    for (const auto &entry : geometry.averaging.nodes()[I].entries)
       for (int a = 0; a < m; ++a)
-        tangent[a] += entry.weight * tangents(evaluation, entry.point)[a];
+        tangent[a] += evaluation.reach.weight(I, entry) *
+                      tangents(evaluation, entry.point)[a];
     SurfaceMatrix<m> metric;
     for (int a = 0; a < m; ++a)
       for (int b = 0; b < m; ++b)
@@ -55,22 +58,30 @@ namespace NPT
 
   template <int dim>
   Tensor<1, dim>
-  SlipMeasure<dim>::traction_vector(const Averaging::Node        &node,
+  SlipMeasure<dim>::traction_vector(const ContactGeometry<dim>   &geometry,
                                     const ContactEvaluation<dim> &evaluation,
-                                    const std::array<double, m> &traction) const
+                                    const unsigned int            I) const
   {
-    return tangent_vector(node, evaluation, traction, traction_is_covariant());
+    return tangent_vector(geometry,
+                          evaluation,
+                          I,
+                          evaluation.nodes[I].friction.traction,
+                          traction_is_covariant());
   }
 
 
 
   template <int dim>
   Tensor<1, dim>
-  SlipMeasure<dim>::slip_vector(const Averaging::Node        &node,
+  SlipMeasure<dim>::slip_vector(const ContactGeometry<dim>   &geometry,
                                 const ContactEvaluation<dim> &evaluation,
-                                const std::array<double, m>  &slip) const
+                                const unsigned int            I) const
   {
-    return tangent_vector(node, evaluation, slip, !traction_is_covariant());
+    return tangent_vector(geometry,
+                          evaluation,
+                          I,
+                          evaluation.nodes[I].slip,
+                          !traction_is_covariant());
   }
 
   template class SlipMeasure<2>;

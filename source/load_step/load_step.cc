@@ -208,6 +208,8 @@ namespace NPT
         report.newton.iterations += more.iterations;
         report.final_residual = more.residual_norms.back();
       }
+    for (unsigned int k = 0; k < trial_.contact.size(); ++k)
+      problem_.contacts()[k]->check_depth(trial_.contact[k]);
     return report;
   }
 

@@ -2,6 +2,7 @@
 // Tests of the virtual work of contact: energies, tangents, balances,
 // invariances, and a block on a plane by hand.
 
+#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/contact/contact_pair.h>
 
 #include "contact_test_tools.h"
@@ -64,7 +65,7 @@ namespace
                 {rounded(primary)},
                 parameters,
                 friction_parameters(mu, slip_measure),
-                maximum_penetration,
+                2. * maximum_penetration, // half the thickness by default
                 symmetry_weight)
       , X(space.control_points())
       , state(contact.with_friction(contact.initial_state(), true))
@@ -452,6 +453,43 @@ namespace
     CHECK(pair.force(r, 0).norm() > 0.1 * size);
   }
 
+  // A long flat slab in three elements below a strip of the given width in its
+  // middle; both faces at height 0.
+  std::vector<NURBSPatch<2>>
+  slab_and_strip(const double width)
+  {
+    return {slab<2>(uniform_knots<2>(2, 3, 1),
+                    [](const Point<2> &u) {
+                      return Point<2>(6. * u[0] - 3., u[1] - 1.);
+                    }),
+            slab<2>(uniform_knots<2>(2, 2, 1), [=](const Point<2> &u) {
+              return Point<2>(width * (u[0] - 0.5), 0.5 * u[1]);
+            })};
+  }
+
+  // Force on the slab when the strip is pressed in by a depth.
+  double
+  force_of_strip(const std::string &method,
+                 const double       width,
+                 const double       depth)
+  {
+    ContactParameters parameters   = contact_parameters(method);
+    parameters.n_quadrature_points = 40;
+    Pair<2>    pair(slab_and_strip(width),
+                 parameters,
+                 0.,
+                 Basis::NURBS,
+                 {},
+                 slip_measures[0],
+                 0.1); // its half thickness
+    const auto rest    = [](const Point<2> &X) { return X; };
+    const auto pressed = pair.displacement(rest, [=](const Point<2> &X) {
+      return Point<2>(X[0], X[1] - depth);
+    });
+    pair.begin_step(pressed);
+    return pair.force(pair.residual(pressed), 0)[1];
+  }
+
   // A primary body so thin that the middle of the other one is behind it.
   template <int dim>
   void
@@ -474,7 +512,7 @@ namespace
       {
         unsigned int n[2] = {0, 0};
         for (const auto &entry : pair.contact.averaging().nodes()[I].entries)
-          ++n[pair.contact.is_admissible(pair.evaluation.closest[entry.point])];
+          ++n[pair.step.reach.has(entry.point)];
         n_rejected += n[0];
         if (pair.evaluation.nodes[I].active && n[0] > 0 && n[1] > 0)
           ++n_mixed;
@@ -503,6 +541,115 @@ TEST_CASE(
       check_frictionless<3>(2, method);
     }
   check_frictionless<3>(3, "mortar");
+}
+
+
+
+TEST_CASE("A partner narrower than an element is felt by mortar with the force "
+          "that the single points feel",
+          "[contact]")
+{
+  // Penalty 100 N/mm^3 times depth times width; the rounded edge and the
+  // points up to the reach beside it are the rest.
+  for (const double width : {0.5, 1., 2.})
+    {
+      const double exact = 100. * 0.02 * width;
+      CHECK(force_of_strip("KTS", width, 0.02) == Approx(exact).epsilon(0.2));
+      CHECK(force_of_strip("mortar", width, 0.02) ==
+            Approx(exact).epsilon(0.2));
+    }
+}
+
+
+
+TEST_CASE("The shares of all nodes in a point add up to its area, faded where "
+          "it has no partner",
+          "[contact]")
+{
+  Pair<2>    pair(slab_and_strip(1.),
+               contact_parameters("mortar"),
+               0.,
+               Basis::NURBS,
+               {},
+               slip_measures[0],
+               0.5);
+  const auto zero = pair.zero();
+  pair.begin_step(zero);
+  const auto         &points = pair.contact.quadrature_points();
+  std::vector<double> sum(points.size(), 0.);
+  for (unsigned int I = 0; I < pair.contact.n_nodes(); ++I)
+    {
+      const auto &node = pair.contact.averaging().nodes()[I];
+      if (pair.step.reach.of_node[I] > 0.)
+        for (const auto &entry : node.entries)
+          sum[entry.point] += node.area * pair.step.reach.of_node[I] *
+                              pair.step.reach.weight(I, entry);
+    }
+  for (unsigned int q = 0; q < points.size(); ++q)
+    {
+      // The strip ends at 0.5, the reach is 0.5 as well.
+      const double beside = std::max(0., std::abs(points[q].X[0]) - 0.5);
+      const double omega  = std::min(1., std::max(0., 2. - beside / 0.5));
+      CHECK(sum[q] == Approx(omega * points[q].area).margin(1e-14));
+    }
+}
+
+
+
+TEST_CASE("Within a step a point that touches is pushed back from any depth, "
+          "and a state that is too deep is refused",
+          "[contact]")
+{
+  for (const std::string &method : methods)
+    {
+      Pair<2>    pair(slab_and_strip(3.), contact_parameters(method));
+      const auto rest  = [](const Point<2> &X) { return X; };
+      const auto moved = [&](const double depth) {
+        return pair.displacement(rest, [=](const Point<2> &X) {
+          return Point<2>(X[0], X[1] - depth);
+        });
+      };
+      pair.begin_step(moved(0.01));
+      CHECK(pair.residual(moved(0.01)).l2_norm() > 0.);
+      CHECK_NOTHROW(pair.contact.check_depth(pair.evaluation));
+      pair.accept();
+      pair.begin_step(moved(0.01));
+      double force = 0.;
+      for (const double depth : {0.3, 0.55, 0.65, 0.9})
+        {
+          const double more = pair.force(pair.residual(moved(depth)), 0)[1];
+          CHECK(more > force); // deeper, more force
+          force = more;
+          CHECK(pair.summary().largest_penetration == Approx(depth));
+          if (depth < 0.6) // the limit
+            CHECK_NOTHROW(pair.contact.check_depth(pair.evaluation));
+          else
+            CHECK_THROWS_AS(pair.contact.check_depth(pair.evaluation),
+                            NPT::PenetrationTooDeep);
+        }
+    }
+}
+
+
+
+TEST_CASE("A point that began behind a body comes back only by leaving it",
+          "[contact]")
+{
+  Pair<2>    pair(slab_and_strip(3.), contact_parameters("KTS"));
+  const auto rest  = [](const Point<2> &X) { return X; };
+  const auto force = [&](const double depth) {
+    const auto u = pair.displacement(rest, [=](const Point<2> &X) {
+      return Point<2>(X[0], X[1] - depth);
+    });
+    pair.begin_step(u);
+    const double result = pair.residual(u).l2_norm();
+    pair.accept();
+    return result;
+  };
+  CHECK(force(0.65) == 0.); // the limit is 0.6
+  CHECK(force(0.55) == 0.);
+  CHECK(force(-0.01) == 0.);
+  CHECK(force(0.02) > 0.);
 }
 
 

@@ -91,6 +91,23 @@ namespace NPT
     {}
   };
 
+  /// A contact point got deeper into the other body than it may.
+  class PenetrationTooDeep : public LoadStepFailure
+  {
+  public:
+    explicit PenetrationTooDeep(const std::string &detail)
+      : LoadStepFailure("penetration too deep", detail)
+    {}
+
+    std::string
+    advice() const override
+    {
+      return "raise the Normal penalty, or the Maximum penetration (subsection "
+             "Contact), refine the mesh if the other bundle is narrower than a "
+             "few elements, or lower the Minimum step of the stage";
+    }
+  };
+
   /// Newton ran out of iterations or of line search.
   class NewtonNotConverged : public LoadStepFailure
   {

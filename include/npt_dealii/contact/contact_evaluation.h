@@ -42,6 +42,7 @@ namespace NPT
     static constexpr int m = dim - 1;
 
     bool                           friction_on = false;
+    ContactReach                   reach; ///< that of the step
     ContactPositions<dim>          positions;
     std::vector<ClosestPoint<dim>> closest; ///< by Gauss point
     std::vector<SlipPoint<dim>>    slip;    ///< by Gauss point
@@ -71,7 +72,7 @@ namespace NPT
     double       energy              = 0; ///< normal penalty energy [N mm]
     double       friction_energy     = 0; ///< tangential penalty [N mm]
     double       dissipation         = 0; ///< of this increment [N mm]
-    double       largest_penetration = 0; ///< over nodes [mm]
+    double       largest_penetration = 0; ///< of Gauss points in reach [mm]
   };
 } // namespace NPT
 

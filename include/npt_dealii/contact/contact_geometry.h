@@ -26,14 +26,15 @@ namespace NPT
     std::vector<ContactSurface<dim>>                       primaries;
     std::vector<typename IGASurface<dim>::QuadraturePoint> points;
     Averaging                                              averaging;
-    double maximum_penetration; ///< deeper closest points are rejected [mm]
+    /// Deeper than this a point cannot be told from one behind the body [mm].
+    double maximum_penetration;
+    /// A point farther than this beside a surface has no partner there [mm].
+    double reach;
 
-    /// A point that lies deeper is taken for one behind the body: it carries
-    /// nothing.
     bool
-    is_admissible(const ClosestPoint<dim> &c) const
+    is_deep(const ClosestPoint<dim> &c) const
     {
-      return c.gap > -maximum_penetration;
+      return !(c.gap > -maximum_penetration);
     }
 
     void
@@ -55,6 +56,32 @@ namespace NPT
       for (unsigned int l = 0; l < shape.lattice.size(); ++l)
         x += shape.value[l] * positions.secondary[shape.lattice[l]];
       return x;
+    }
+  };
+
+  /**
+   * Which Gauss points take part in contact during a load step, and with which
+   * share: 1 for a point that has a partner, 0 for one beside the end of the
+   * surface or behind the body, and between them a linear fading, (A20) of
+   * doc/theory.md. Fixed during the step, so that the averages are those of
+   * Averaging with other weights.
+   */
+  struct ContactReach
+  {
+    std::vector<double> of_point; ///< omega_q, by Gauss point
+    std::vector<double> of_node;  ///< s_I = sum_q A_Iq omega_q, by node
+
+    bool
+    has(const unsigned int q) const
+    {
+      return of_point[q] > 0.;
+    }
+
+    /// Weight of a point in the mean of node I, which has a point in reach.
+    double
+    weight(const unsigned int I, const Averaging::Entry &entry) const
+    {
+      return entry.weight * of_point[entry.point] / of_node[I];
     }
   };
 } // namespace NPT

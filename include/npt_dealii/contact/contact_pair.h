@@ -59,13 +59,14 @@ namespace NPT
       std::function<unsigned int(const dealii::Point<dim> &)>;
 
     /**
-     * @param maximum_penetration Deeper closest points are rejected [mm].
+     * @param thickness Of the thinner body [mm]. Maximum penetration is a
+     *   fraction of it, and half of it is the reach beside an edge.
      */
     ContactPair(const ContactSurface<dim>              &secondary,
                 const std::vector<ContactSurface<dim>> &primaries,
                 const ContactParameters                &contact,
                 const FrictionParameters               &friction,
-                const double                            maximum_penetration,
+                const double                            thickness,
                 const SymmetryWeight                   &symmetry_weight = {});
 
     // ----------------------------------------------------- accepted states
@@ -125,6 +126,12 @@ namespace NPT
                      const ContactEvaluation<dim> &evaluation,
                      const double                  margin) const;
 
+    /// Throws PenetrationTooDeep if a point in reach is deeper than
+    /// Contact / Maximum penetration: such a state is no solution, since the
+    /// point may be behind the body in truth.
+    void
+    check_depth(const ContactEvaluation<dim> &evaluation) const;
+
     /// The evaluated state as the accepted one.
     ContactState<dim>
     accept(const ContactStep<dim>       &step,
@@ -180,11 +187,6 @@ namespace NPT
     {
       return geometry_.points;
     }
-    bool
-    is_admissible(const ClosestPoint<dim> &closest_point) const
-    {
-      return geometry_.is_admissible(closest_point);
-    }
 
   private:
     // The measure of slip where there is friction, otherwise null.
@@ -200,12 +202,24 @@ namespace NPT
     assert_belongs(const ContactStep<dim>       &step,
                    const ContactEvaluation<dim> &evaluation) const;
 
+    // Weight of a node in the virtual work, W_I s_I times that of symmetry.
+    double
+    weight(const ContactReach &reach, const unsigned int I) const
+    {
+      return symmetry_weight_[I] * geometry_.averaging.nodes()[I].area *
+             reach.of_node[I];
+    }
+
     // Where are the surfaces, and how far? (contact_evaluation.cc)
-    ProjectionStart<dim>
+    ClosestPoint<dim>
     find_start(const ContactSearch<dim>    &search,
                const ContactPositions<dim> &positions,
                const ProjectionStart<dim>  &accepted,
                const unsigned int           q) const;
+    double
+    reach_of_point(const ClosestPoint<dim> &c, const bool behind) const;
+    void
+    set_reach_of_nodes(ContactReach &reach) const;
     void
     find_closest(const ContactView<dim> &view,
                  const unsigned int      q,

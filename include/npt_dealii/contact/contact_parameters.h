@@ -36,6 +36,7 @@ namespace NPT
     double       normal_penalty        = 100.; ///< epsilon_N [N/mm^3]
     unsigned int n_quadrature_points   = 0;    ///< 0: degree + 1
     double       maximum_penetration   = 0.5;  ///< fraction of thickness
+    double       maximum_overlap       = 0.2;  ///< fraction of thickness
     double       edge_radius           = 0.25; ///< fraction of thickness
     double       kink_rounding         = 0.1;  ///< fraction of a span
     Enforcement  enforcement           = Enforcement::penalty;

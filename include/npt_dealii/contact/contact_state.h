@@ -26,8 +26,13 @@ namespace NPT
     std::vector<double> multiplier;
     /// Factor by which the augmented Lagrangian has let both penalties grow.
     double penalty_scale = 1.;
-    /// Closest point of every Gauss point; not known where it was too deep.
+    /// Closest point of every Gauss point; not known behind the body.
     std::vector<ProjectionStart<dim>> closest;
+    /// Gauss points behind the body. Decided by the depth before the first
+    /// step; from then on a point comes back only by leaving the body, and none
+    /// gets there: a step in which a point sinks too deep is no solution.
+    /// Empty before the first step.
+    std::vector<bool> behind;
   };
 } // namespace NPT
 

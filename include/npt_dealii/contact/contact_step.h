@@ -4,7 +4,7 @@
 #ifndef npt_dealii_contact_contact_step_h
 #define npt_dealii_contact_contact_step_h
 
-#include <npt_dealii/contact/geometry/closest_point_projection.h>
+#include <npt_dealii/contact/contact_geometry.h>
 
 namespace NPT
 {
@@ -36,7 +36,9 @@ namespace NPT
     static constexpr int m = dim - 1;
 
     bool                              friction_on = false;
-    std::vector<ProjectionStart<dim>> starts;     ///< by Gauss point
+    std::vector<ProjectionStart<dim>> starts; ///< by Gauss point
+    ContactReach                      reach;
+    std::vector<bool>                 behind;     ///< see ContactState
     std::vector<SlipReference<dim>>   references; ///< by Gauss point
     /// Inverse of the averaged metric of the secondary surface in the accepted
     /// state, by node: m^{11}, m^{12}, m^{22} of (A16).

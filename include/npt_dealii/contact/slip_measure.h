@@ -48,7 +48,7 @@ namespace NPT
     /// Fill references and metrics of a new step.
     ///
     /// @param positions Of the accepted displacement.
-    /// @param step Its start values are there already.
+    /// @param step Its start values and reach are there already.
     virtual void
     set_references(const ContactGeometry<dim>  &geometry,
                    const ContactState<dim>     &accepted,
@@ -133,23 +133,24 @@ namespace NPT
     SurfaceMatrix<m>
     traction_metric(const ContactView<dim> &view, const unsigned int I) const;
 
-    /// Traction of a node on the secondary side as a vector [MPa].
+    /// Traction of an active node on the secondary side as a vector [MPa].
     dealii::Tensor<1, dim>
-    traction_vector(const Averaging::Node        &node,
+    traction_vector(const ContactGeometry<dim>   &geometry,
                     const ContactEvaluation<dim> &evaluation,
-                    const std::array<double, m>  &traction) const;
+                    const unsigned int            I) const;
 
-    /// Slip of a node as a vector [mm].
+    /// Slip of an active node as a vector [mm].
     dealii::Tensor<1, dim>
-    slip_vector(const Averaging::Node        &node,
+    slip_vector(const ContactGeometry<dim>   &geometry,
                 const ContactEvaluation<dim> &evaluation,
-                const std::array<double, m>  &slip) const;
+                const unsigned int            I) const;
 
   private:
     // Vector of co- or contravariant components at a node.
     dealii::Tensor<1, dim>
-    tangent_vector(const Averaging::Node        &node,
+    tangent_vector(const ContactGeometry<dim>   &geometry,
                    const ContactEvaluation<dim> &evaluation,
+                   const unsigned int            I,
                    const std::array<double, m>  &v,
                    const bool                    covariant) const;
   };

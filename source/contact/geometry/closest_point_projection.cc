@@ -484,12 +484,12 @@ namespace NPT
       // point that slides over it jump from -d to +d: contact sees it rounded,
       // (A15), C1 where the surface ends. Without a radius the point is outside
       // of the body.
+      c_.surface_normal = n;
       if (c_.on_boundary && surface_.edge_radius() > 0.)
         {
-          c_.edge_radius    = surface_.edge_radius();
-          c_.surface_normal = n;
-          c_.normal         = c_.r / r;
-          c_.gap            = RoundedEdge(c_.edge_radius, r, n * c_.r).gap;
+          c_.edge_radius = surface_.edge_radius();
+          c_.normal      = c_.r / r;
+          c_.gap         = RoundedEdge(c_.edge_radius, r, n * c_.r).gap;
           return;
         }
       const double side = c_.on_boundary ? 1. : side_of_kink(n);

@@ -2,6 +2,7 @@
 // Surfaces of bundles against those of all images that they may touch.
 
 #include <npt_dealii/problems/plate_test/cell_contacts.h>
+#include <npt_dealii/problems/plate_test/contact_resolution.h>
 
 #include <map>
 #include <tuple>
@@ -144,8 +145,13 @@ namespace NPT
         // The edges of crimped neighbors cross like scissors and touch over a
         // fraction of an element: averages over control points would see that
         // only when they are deep in each other, Gauss points see it at once.
+        // The same holds where a crossing bundle is narrower than a few
+        // elements.
         ContactParameters contact_parameters = contact;
-        if (pair.direction != 2)
+        if (pair.direction != 2 ||
+            (cell.parameters().type != "laminate" &&
+             n_spans_across_partner(cell, space, pair.secondary_bundle) <
+               fewest_spans_for_mortar))
           contact_parameters.method = ContactParameters::Method::KTS;
         result.pairs.push_back(std::make_unique<ContactPair<3>>(
           ContactSurface<3>(surfaces.get(
@@ -153,7 +159,7 @@ namespace NPT
           primaries,
           contact_parameters,
           friction,
-          contact.maximum_penetration * thickness,
+          thickness,
           // Side contact is counted once per bundle, see FabricCell.
           pair.direction == 2 ?
             [&cell, &pair](const dealii::Point<3> &X) {

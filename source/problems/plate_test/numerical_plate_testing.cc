@@ -6,6 +6,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/plate_test/cell_preview.h>
+#include <npt_dealii/problems/plate_test/contact_checks.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
 
@@ -31,6 +32,7 @@ namespace NPT
   {
     make_cell(); // weave pattern -> fiber bundles -> NURBS patches -> contact
     results_.begin(*cell_);
+    warn_of_coarse_averages(*cell_, parameters_, log_);
 
     // Weave, release, load: every stage drives the macro unknowns to its
     // targets in load steps of adaptive length.
@@ -73,6 +75,7 @@ namespace NPT
     }();
     state_ = problem.start();
     results_.begin_stage(stage);
+    warn_of_unwoven_bundles(*cell_, parameters_, index, log_);
 
     // Newton: bundles + contact; a step that fails is cut.
     LoadStepper stepper(parameters_.newton,
@@ -97,6 +100,8 @@ namespace NPT
         give_up(failure);
       }
     results_.end_stage(*cell_, stage, state_, woven_);
+    check_contact(
+      *cell_, parameters_, stage, state_, woven_, results_.curve(), log_);
   }
 
 

@@ -120,8 +120,7 @@ namespace NPT
                                        primary,
                                        parameters_.contact,
                                        friction,
-                                       parameters_.contact.maximum_penetration *
-                                         model_.body_height));
+                                       model_.body_height));
 
     const unsigned int n_handles = model_.handles.size();
     HandleCouplings    couplings(bodies_->space());

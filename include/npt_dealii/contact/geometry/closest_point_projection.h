@@ -35,7 +35,7 @@ namespace NPT
     /// If positive, the closest point is on a rounded boundary of this radius
     /// [mm]: the gap is that of Eq. (A15), and `normal` is r/|r|.
     double                 edge_radius = 0.;
-    dealii::Tensor<1, dim> surface_normal;   ///< of the face, on an edge
+    dealii::Tensor<1, dim> surface_normal;   ///< of the face, where held
     std::array<dealii::Tensor<1, dim>, m> a; ///< tangents a_alpha
     std::array<dealii::Tensor<1, dim>, SymmetricIndices<m>::n_second> x_second;
     std::array<dealii::Tensor<1, dim>, SymmetricIndices<m>::n_third>  x_third;
