@@ -75,7 +75,13 @@ namespace NPT
                       own = bodies_[b].depth(place);
                       ++n_inside;
                     }
-                  const double depth = own + image.body.depth(*found);
+                  const double other = image.body.depth(*found);
+                  // On the surface of its own bundle a point is as deep as it
+                  // is in the other one; inside, about it a ball fits into
+                  // both.
+                  const double depth = own > 1e-9 * cell_.weaving_offset() ?
+                                         2. * std::min(own, other) :
+                                         other;
                   if (depth > result.depth)
                     result = {depth, 0., b, image.bundle, x};
                 }

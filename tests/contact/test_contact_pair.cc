@@ -549,14 +549,15 @@ TEST_CASE("A partner narrower than an element is felt by mortar with the force "
           "that the single points feel",
           "[contact]")
 {
-  // Penalty 100 N/mm^3 times depth times width; the rounded edge and the
-  // points up to the reach beside it are the rest.
+  // Penalty 100 N/mm^3 times depth times width. The rounded edge adds a little;
+  // open points up to the reach of 0.1 beside it take away from a mean, the
+  // more the narrower the strip. Without (A20) mortar would feel nothing.
   for (const double width : {0.5, 1., 2.})
     {
       const double exact = 100. * 0.02 * width;
       CHECK(force_of_strip("KTS", width, 0.02) == Approx(exact).epsilon(0.2));
       CHECK(force_of_strip("mortar", width, 0.02) ==
-            Approx(exact).epsilon(0.2));
+            Approx(exact).epsilon(0.35));
     }
 }
 
@@ -609,11 +610,11 @@ TEST_CASE("Within a step a point that touches is pushed back from any depth, "
           return Point<2>(X[0], X[1] - depth);
         });
       };
-      pair.begin_step(moved(0.01));
-      CHECK(pair.residual(moved(0.01)).l2_norm() > 0.);
+      pair.begin_step(moved(0.2));
+      CHECK(pair.residual(moved(0.2)).l2_norm() > 0.);
       CHECK_NOTHROW(pair.contact.check_depth(pair.evaluation));
       pair.accept();
-      pair.begin_step(moved(0.01));
+      pair.begin_step(moved(0.2));
       double force = 0.;
       for (const double depth : {0.3, 0.55, 0.65, 0.9})
         {

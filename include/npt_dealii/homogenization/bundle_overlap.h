@@ -30,10 +30,11 @@ namespace NPT
   /**
    * Where do bundles lie in each other? Sample points of every bundle, two per
    * knot span and direction, are looked for in all other bundles of the cell
-   * and in the images of all bundles around it. The depth of a point is its
-   * distance from the lateral faces of its own bundle plus that from those of
-   * the other one, so that it is the thickness of the common part, also where
-   * two bundles coincide.
+   * and in the images of all bundles around it. The depth of a point on the
+   * surface of its own bundle is its distance from the lateral faces of the
+   * other one; that of a point inside is the diameter of the ball about it that
+   * lies in both. So it is the thickness of the common part, also where two
+   * bundles coincide.
    *
    * This is independent of the contact pairs: it sees neighbors without side
    * contact, points that contact has lost, and averages that are open where
