@@ -24,8 +24,8 @@ namespace NPT
     : parameters_(parameters)
     , log_(RunLog::in_folder(directory, screen))
     , timer_(screen, TimerOutput::never, TimerOutput::cpu_and_wall_times)
-    , results_(parameters, directory, log_, timer_)
-    , linear_solver_(parameters.linear_solver)
+    , results_(parameters_, directory, log_, timer_)
+    , linear_solver_(parameters_.linear_solver)
   {}
 
 

@@ -68,8 +68,8 @@ TEST_CASE("Stiffness at rest is that of the engineering constants of a law",
 {
   const PlateTestParameters parameters =
     read({"Weft material/Law=neo-Hookean",
-          "Weft material/Young's modulus=30",
-          "Weft material/Poisson's ratio=0.2"});
+          "Weft material/Young modulus=30",
+          "Weft material/Poisson ratio=0.2"});
   const EngineeringConstants fiber =
     FiberBundleConstants().engineering_constants();
   const StiffnessAtRest warp = stiffness_at_rest(parameters.material),
