@@ -120,6 +120,44 @@ TEST_CASE("A stage that fails leaves fields, pictures, warnings and the advice "
 
 
 
+TEST_CASE("Stiff yarn that cannot be woven at fixed width is woven without a "
+          "cut after the advice",
+          "[top]")
+{
+  // E_L = 40 GPa, E_T = 50 MPa.
+  const std::vector<std::string> yarn = {"Fiber bundle material/mu_iso=20",
+                                         "Fiber bundle material/lambda_iso="
+                                         "13.3333",
+                                         "Fiber bundle material/a_trn=0",
+                                         "Fiber bundle material/b_trn=0",
+                                         "Fiber bundle material/c_trn=4994",
+                                         "Fiber bundle material/d_trn=0",
+                                         "Contact/Normal penalty=1000",
+                                         "Friction/Tangential penalty=1000",
+                                         "Friction/Friction coefficient=0.2",
+                                         "Load programme/Stage weave/"
+                                         "Minimum step=0.01"};
+  std::ostringstream             screen;
+  NumericalPlateTesting          fixed(coarse(yarn), "", screen);
+  const StageFailed              failure = failure_of(fixed);
+  CHECK(failure.stage() == "weave");
+  CHECK_THAT(failure.advice(),
+             Contains("Targets = n1: 0, n2: 0 in stage weave"));
+
+  auto advised = yarn;
+  advised.push_back("Load programme/Stage weave/Targets=n1: 0, n2: 0");
+  NumericalPlateTesting free(coarse(advised), "", screen);
+  free.run();
+  unsigned int cuts = 0;
+  for (const CurveRow &row : free.curve())
+    cuts += row.cuts;
+  CHECK(cuts == 0);
+  // 5 x 5 elements have 1.06 N/mm.
+  CHECK(free.curve().back().n[2] == Approx(1.06).epsilon(0.03));
+}
+
+
+
 TEST_CASE("A run that is interrupted ends after its step with all its results",
           "[top]")
 {

@@ -27,6 +27,7 @@ namespace NPT
   class PlateTestResults
   {
   public:
+    /// @param parameters Must outlive the results, as log and timer must.
     /// @param directory Existing folder; empty: write nothing (tests).
     PlateTestResults(const PlateTestParameters &parameters,
                      const std::string         &directory,
