@@ -109,8 +109,7 @@ namespace NPT
     if (!is_elliptic)
       return "lower the target, for no shorter step leads beyond the loss of "
              "ellipticity; fields and picture of the last accepted step show "
-             "where it is, and Check ellipticity = true (subsection "
-             "Stability) finds where it begins";
+             "where it is";
     const std::string penalty = advice_on_penalty(parameters);
     return penalty.empty() ? failure.advice() : penalty;
   }

@@ -98,7 +98,7 @@ TEST_CASE("A stage that fails leaves fields, pictures, warnings and the advice "
   const fs::path        folder = TopTests::fresh_folder("stage_that_fails");
   std::ostringstream    screen;
   NumericalPlateTesting test(
-    coarse({"Contact/Normal penalty=20",
+    coarse({"Contact/Normal penalty=10",
             "Load programme/Stages=weave, release, squeeze",
             "Load programme/Stage squeeze/Targets=H1: -0.95",
             "Load programme/Stage squeeze/Initial step=0.1",
