@@ -225,7 +225,8 @@ Examples:
 
 Exit status: 0 done; 1 a stage could not be finished or a tolerance was missed,
 the results so far are complete; 2 the input cannot be used, nothing was
-computed; 3 an error of the program.
+computed; 3 an error of the program. Ctrl-C ends a plate test after its load
+step, with its results (130); a second one ends it at once.
 )";
   }
 

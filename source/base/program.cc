@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/interruption.h>
 #include <npt_dealii/base/one_process.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/base/problem.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <new>
 
 namespace NPT
 {
@@ -128,6 +130,14 @@ namespace NPT
     catch (const StageFailed &error)
       {
         std::cerr << program.name << ": " << error.what() << std::endl;
+        Interruption::end_by_signal();
+        return 1;
+      }
+    catch (const std::bad_alloc &)
+      {
+        std::cerr << program.name
+                  << ": the memory does not suffice. What to try: "
+                  << OutOfMemory::remedy() << '.' << std::endl;
         return 1;
       }
     catch (const std::exception &error)

@@ -94,6 +94,14 @@ namespace NPT
 
 
   void
+  RunLog::note(const std::string &text)
+  {
+    write(text, false);
+  }
+
+
+
+  void
   RunLog::warning(const std::string &text)
   {
     write("Warning: " + text, true);

@@ -186,10 +186,8 @@ namespace NPT
                                    " is singular." + singular_hint);
         if (infog[0] == -5 || infog[0] == -7 || infog[0] == -8 ||
             infog[0] == -9 || infog[0] == -13)
-          throw LinearSolverFailed(
-            "MUMPS ran out of memory in the " + phase +
-            " (INFOG(1) = " + std::to_string(infog[0]) +
-            "). Try Type = ILU (subsection Linear solver).");
+          throw OutOfMemory("MUMPS ran out of memory in the " + phase +
+                            " (INFOG(1) = " + std::to_string(infog[0]) + ").");
         if (infog[0] < 0 || status < 0)
           throw LinearSolverFailed(
             "MUMPS stopped in the " + phase + " with INFOG(1:2) = " +

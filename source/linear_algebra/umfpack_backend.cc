@@ -93,9 +93,8 @@ namespace NPT
           throw LinearSolverFailed("UMFPACK: the matrix is singular." +
                                    singular_hint);
         if (status == UMFPACK_ERROR_out_of_memory)
-          throw LinearSolverFailed(
-            "UMFPACK ran out of memory in the " + phase +
-            ". Try Type = MUMPS or ILU (subsection Linear solver).");
+          throw OutOfMemory("UMFPACK ran out of memory in the " + phase +
+                            ". MUMPS needs less.");
         throw LinearSolverFailed("UMFPACK stopped in the " + phase +
                                  " with status " + std::to_string(status) +
                                  ".");

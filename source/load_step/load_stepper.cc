@@ -2,6 +2,8 @@
 // The loop over load steps.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/interruption.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/load_step/load_stepper.h>
 
 #include <utility>
@@ -38,6 +40,16 @@ namespace NPT
     StepControl          control(steps, name);
     while (!control.finished())
       {
+        // Between steps, where state and results are complete.
+        if (Interruption::requested())
+          throw StageFailed("Stage " + name +
+                              " was interrupted at load factor " +
+                              short_number(control.load_factor()) +
+                              "; the results up to there are complete.",
+                            "interrupted",
+                            name,
+                            control.load_factor(),
+                            control.n_cuts());
         const double            load_factor = control.trial();
         std::optional<LoadStep> step;
         LoadStepReport          report;
@@ -51,6 +63,10 @@ namespace NPT
                          linear_solver_,
                          timer_);
             report = solve(*step, problem, state, previous);
+          }
+        catch (const OutOfMemory &failure)
+          {
+            control.reject_for_good(failure);
           }
         catch (const LoadStepFailure &failure)
           {

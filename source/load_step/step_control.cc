@@ -136,19 +136,42 @@ namespace NPT
     const unsigned int level = trial_level();
     if (level == 0)
       {
-        std::ostringstream message;
-        message << (name.empty() ? std::string("The stage") : "Stage " + name)
-                << " was given up at load factor " << load_factor()
-                << ": the step " << step() << " failed (" << failure.what()
+        std::ostringstream account;
+        account << "the step " << step() << " failed (" << failure.what()
                 << ") and half of it is below the Minimum step "
-                << parameters.minimum_step << "; " << n_cuts_
-                << (n_cuts_ == 1 ? " failed step, " : " failed steps, ")
-                << n_accepted_ << " accepted. What to try: " << failure.advice()
-                << ".";
-        throw StageFailed(
-          message.str(), failure.reason(), name, load_factor(), n_cuts_);
+                << parameters.minimum_step;
+        give_up(account.str(), failure);
       }
     step_level = level - 1;
+  }
+
+
+
+  void
+  StepControl::reject_for_good(const LoadStepFailure &failure)
+  {
+    ++n_cuts_;
+    give_up(failure.what(), failure);
+  }
+
+
+
+  void
+  StepControl::give_up(const std::string     &what_happened,
+                       const LoadStepFailure &failure) const
+  {
+    std::ostringstream account;
+    account << (name.empty() ? std::string("The stage") : "Stage " + name)
+            << " was given up at load factor " << load_factor() << ": "
+            << what_happened << "; " << n_cuts_
+            << (n_cuts_ == 1 ? " failed step, " : " failed steps, ")
+            << n_accepted_ << " accepted.";
+    throw StageFailed(account.str(),
+                      failure.reason(),
+                      name,
+                      load_factor(),
+                      n_cuts_,
+                      failure.advice());
   }
 
 

@@ -164,3 +164,24 @@ TEST_CASE("The remedy is that of the failure, not of its name", "[load_step]")
   CHECK_THAT(message_after(ProjectionLost("beside an inverted cell: 3")),
              Catch::Contains("Minimum step"));
 }
+
+
+
+TEST_CASE("What no shorter step mends ends the stage at once", "[load_step]")
+{
+  StepControl control(steps(0.1, 1e-4, 0.1), "shear");
+  control.accept(easy);
+  try
+    {
+      control.reject_for_good(OutOfMemory("MUMPS"));
+    }
+  catch (const StageFailed &failure)
+    {
+      CHECK(failure.reason() == "out of memory");
+      CHECK(failure.load_factor() == 0.1);
+      CHECK(failure.n_cuts() == 1);
+      CHECK_THAT(failure.what(),
+                 Catch::Contains("coarser mesh") &&
+                   !Catch::Contains("Minimum step"));
+    }
+}

@@ -147,6 +147,30 @@ namespace NPT
     }
   };
 
+  /// The factors of the matrix do not fit into the memory.
+  class OutOfMemory : public LoadStepFailure
+  {
+  public:
+    explicit OutOfMemory(const std::string &detail)
+      : LoadStepFailure("out of memory", detail)
+    {}
+
+    /// Also for memory that runs out elsewhere.
+    static std::string
+    remedy()
+    {
+      return "a coarser mesh (subsection Mesh), Type = ILU, which needs no "
+             "factorization (subsection Linear solver), or a machine with more "
+             "memory; shorter load steps need as much";
+    }
+
+    std::string
+    advice() const override
+    {
+      return remedy();
+    }
+  };
+
   /// The acoustic tensor of a material lost its positive definiteness.
   class EllipticityLost : public MaterialFailure
   {
@@ -156,30 +180,52 @@ namespace NPT
     {}
   };
 
+  /// The macroscopic gradients leave nothing of the cell, see macro_limits.h.
+  class CellCollapsed : public MaterialFailure
+  {
+  public:
+    explicit CellCollapsed(const std::string &detail)
+      : MaterialFailure("cell collapsed", detail)
+    {}
+  };
+
   /**
-   * A stage cannot be finished: the step became smaller than allowed. Carries
-   * the last reason and a hint; results so far stay complete and readable.
+   * A stage cannot be finished: the step became smaller than allowed, memory
+   * ran out, or somebody interrupted the run. Carries what happened and what to
+   * try; results so far stay complete and readable.
    */
   class StageFailed : public std::runtime_error
   {
   public:
     /**
-     * @param message What a person reads: stage, load factor, reason, hint.
+     * @param account What happened, for a person: stage, load factor, reason.
      * @param reason  Short name as in LoadStepFailure::reason().
      * @param stage   Name of the stage; results end in it at @p load_factor.
      * @param n_cuts  Failed load steps of the stage.
+     * @param advice  What to try, half a sentence; or nothing. what() is the
+     *   account with it.
      */
-    StageFailed(const std::string &message,
+    StageFailed(const std::string &account,
                 const std::string &reason      = "",
                 const std::string &stage       = "",
                 const double       load_factor = 0,
-                const unsigned int n_cuts      = 0)
-      : std::runtime_error(message)
+                const unsigned int n_cuts      = 0,
+                const std::string &advice      = "")
+      : std::runtime_error(
+          account + (advice.empty() ? "" : " What to try: " + advice + "."))
+      , account_(account)
       , reason_(reason)
       , stage_(stage)
+      , advice_(advice)
       , load_factor_(load_factor)
       , n_cuts_(n_cuts)
     {}
+
+    const std::string &
+    account() const
+    {
+      return account_;
+    }
 
     const std::string &
     reason() const
@@ -191,6 +237,12 @@ namespace NPT
     stage() const
     {
       return stage_;
+    }
+
+    const std::string &
+    advice() const
+    {
+      return advice_;
     }
 
     double
@@ -206,7 +258,7 @@ namespace NPT
     }
 
   private:
-    std::string  reason_, stage_;
+    std::string  account_, reason_, stage_, advice_;
     double       load_factor_;
     unsigned int n_cuts_;
   };

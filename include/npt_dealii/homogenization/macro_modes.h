@@ -37,7 +37,8 @@ namespace NPT
     std::array<bool, 3> odd;
     /// Displacement w_n(Y) of one unit of H_n.
     dealii::Tensor<1, 3> (*displacement)(const dealii::Point<3> &Y);
-    /// Letters of the fabric testers after Kawabata, "" if they have none.
+    /// Names in reports of loops: the letters of the fabric testers after
+    /// Kawabata, or what they stand for where these have none.
     const char *rigidity, *hysteresis;
 
     constexpr const char *
@@ -109,9 +110,9 @@ namespace NPT
     // clang-format off
     inline constexpr MacroMode table[] = {
       MacroMode{"H1", "n1", "extension", MacroMode::Kind::membrane,
-                {{false, false, false}}, &extension_1, "", ""},
+                {{false, false, false}}, &extension_1, "dn1/dH1", "of n1"},
       MacroMode{"H2", "n2", "extension", MacroMode::Kind::membrane,
-                {{false, false, false}}, &extension_2, "", ""},
+                {{false, false, false}}, &extension_2, "dn2/dH2", "of n2"},
       MacroMode{"H3", "n3", "shear", MacroMode::Kind::membrane,
                 {{true, true, false}}, &shear, "G", "2HG"},
       MacroMode{"H4", "n4", "bending", MacroMode::Kind::bending,

@@ -62,6 +62,10 @@ namespace NPT
     void
     line(const std::string &text);
 
+    /// A line for the file alone: what the screen shows in another way.
+    void
+    note(const std::string &text);
+
     /// A line with "Warning: " in front.
     void
     warning(const std::string &text);

@@ -69,8 +69,9 @@ namespace NPT
      * @param visitor Called after every accepted step.
      * @return The state at load factor 1.
      *
-     * Throws StageFailed if the step would become smaller than allowed; the
-     * visitor has then seen all states before.
+     * Throws StageFailed if the step would become smaller than allowed, if
+     * the memory does not suffice, or if the run is interrupted; the visitor
+     * has then seen all states before.
      */
     State
     run(const EquilibriumProblem &problem,

@@ -72,6 +72,10 @@ namespace NPT
     void
     reject(const LoadStepFailure &failure);
 
+    /// The trial failed in a way that no shorter step mends: throw StageFailed.
+    [[noreturn]] void
+    reject_for_good(const LoadStepFailure &failure);
+
     bool
     finished() const;
 
@@ -94,6 +98,10 @@ namespace NPT
     /// overshoot 1.
     unsigned int
     trial_level() const;
+
+    [[noreturn]] void
+    give_up(const std::string     &what_happened,
+            const LoadStepFailure &failure) const;
 
     const StepParameters parameters;
     const std::string    name;

@@ -277,6 +277,13 @@ namespace NPT
                   << " s, the CPU limit of a case.";
           set_end(summary, "time limit", "time limit", message.str());
         }
+      else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL &&
+               said.empty())
+        set_end(summary,
+                "crashed",
+                signal_name(SIGKILL),
+                "Killed from outside. If nobody did so, the system had no "
+                "memory left: take a coarser mesh or fewer processes.");
       else if (WIFSIGNALED(status))
         set_end(summary, "crashed", signal_name(WTERMSIG(status)), said);
       else

@@ -2,11 +2,12 @@
 // The choice of panels, and the script that draws them.
 
 #include <npt_dealii/io/gnuplot.h>
+#include <npt_dealii/problems/plate_results/driving_component.h>
 #include <npt_dealii/problems/plate_results/plots.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 #include <ostream>
 
 namespace NPT
@@ -145,33 +146,6 @@ namespace NPT
   column_label(const std::string &column)
   {
     return column_name(column) + " [" + curve_column_unit(column) + "]";
-  }
-
-
-
-  std::optional<unsigned int>
-  driving_component(const std::vector<CurveRow> &rows)
-  {
-    using Values = std::array<double, MacroModes::n>;
-    Values work{}, change{};
-    for (std::size_t r = 1; r < rows.size(); ++r)
-      for (unsigned int i = 0; i < MacroModes::n; ++i)
-        {
-          const double dH = rows[r].H[i] - rows[r - 1].H[i];
-          work[i] += 0.5 * (rows[r].n[i] + rows[r - 1].n[i]) * dH;
-          change[i] += std::abs(dH);
-        }
-
-    for (const Values &values : {work, change})
-      {
-        unsigned int best = 0;
-        for (unsigned int i = 1; i < MacroModes::n; ++i)
-          if (std::abs(values[i]) > std::abs(values[best]))
-            best = i;
-        if (values[best] != 0.)
-          return best;
-      }
-    return {};
   }
 
 

@@ -5,7 +5,6 @@
 #include <npt_dealii/problems/plate_test/cell_preview.h>
 #include <npt_dealii/solid/solid_fields.h>
 
-#include <sstream>
 #include <utility>
 
 namespace NPT
@@ -23,27 +22,6 @@ namespace NPT
       return bundle.family == FiberBundle::Family::warp ? half :
              bundle.family == FiberBundle::Family::weft ? -half :
                                                           0.;
-    }
-
-    void
-    log_sizes(const PlateCell           &cell,
-              const PlateTestParameters &parameters,
-              RunLog                    &log)
-    {
-      double volume = 0;
-      for (const double integral : cell.bodies().integrals_of_functions(false))
-        volume += integral;
-      const double area     = cell.fabric().area();
-      const bool   laminate = parameters.cell.type == "laminate";
-      const double layer    = area * (laminate ? 1. : 2.) *
-                           (laminate ? parameters.cell.bundle_thickness.warp :
-                                       cell.fabric().weaving_offset());
-      std::ostringstream text;
-      text << "Geometry only: the cell stands for " << area
-           << " mm^2 of fabric; volume of its bundles " << volume << " mm^3, "
-           << 100 * volume / layer << " % of the layer of thickness "
-           << layer / area << " mm.";
-      log.line(text.str());
     }
 
     void
@@ -115,7 +93,7 @@ namespace NPT
                const std::string         &directory,
                RunLog                    &log)
   {
-    log_sizes(cell, parameters, log);
+    log.line("Geometry only.");
     if (!directory.empty())
       {
         write_bundles(cell, directory + "/geometry.vtu");

@@ -29,15 +29,16 @@ namespace NPT
     }
 
     [[noreturn]] void
-    fail(const std::string           &message,
+    fail(const std::string           &account,
          const std::string           &reason,
+         const std::string           &advice,
          const LoadStage             &stage,
          const std::vector<CurveRow> &curve)
     {
       unsigned int n_cuts = 0;
       for (const CurveRow &row : curve)
         n_cuts += row.stage == stage.name ? row.cuts : 0;
-      throw StageFailed(message, reason, stage.name, 1., n_cuts);
+      throw StageFailed(account, reason, stage.name, 1., n_cuts, advice);
     }
 
     void
@@ -62,19 +63,19 @@ namespace NPT
         " % of their volume, at the end of stage " + stage.name + ": " +
         describe(overlap, cell.fabric());
       const std::string advice =
-        " What to try: a larger Normal penalty, Enforcement = augmented "
-        "Lagrangian, a finer mesh if bundles are narrower than a few elements "
-        "(or Method = KTS), Side contact = on if these are neighbors.";
+        "a larger Normal penalty, Enforcement = augmented Lagrangian, a finer "
+        "mesh if bundles are narrower than a few elements (or Method = KTS), "
+        "Side contact = on if these are neighbors";
       if (overlap.depth > allowed)
         fail(what + ". That is more than Maximum overlap, " +
                short_number(parameters.contact.maximum_overlap) +
                " of the thickness (subsection Contact), and describes no "
-               "fabric." +
-               advice,
+               "fabric.",
              "bundles overlap",
+             advice,
              stage,
              curve);
-      log.warning(what + "." + advice);
+      log.warning(what + ". What to try: " + advice + ".");
     }
 
     void
@@ -99,10 +100,10 @@ namespace NPT
                                    stage.name +
                                    ": the bundles do not touch each other";
           if (stage.type == LoadStage::Type::weave)
-            fail(what +
-                   ". What to try: a finer mesh if bundles are narrower than a "
-                   "few elements, or Method = KTS (subsection Contact).",
+            fail(what + ".",
                  "no contact",
+                 "a finer mesh if bundles are narrower than a few elements, or "
+                 "Method = KTS (subsection Contact)",
                  stage,
                  curve);
           log.warning(what + ".");

@@ -2,6 +2,7 @@
 // Defines reading and checking the list of stages.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/message_words.h>
 #include <npt_dealii/homogenization/macro_modes.h>
 #include <npt_dealii/problems/plate_test/load_programme.h>
 
@@ -9,6 +10,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace NPT
@@ -251,5 +253,27 @@ namespace NPT
         stage.complete();
       }
     check_order(stages);
+  }
+
+
+
+  std::string
+  LoadProgramme::file_name(const std::string &stage) const
+  {
+    std::set<std::string> taken; // in lower case
+    for (const LoadStage &other : stages)
+      {
+        std::string plain = other.name;
+        for (char &c : plain)
+          if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')
+            c = '_';
+        std::string name = plain;
+        for (unsigned int k = 2; !taken.insert(lower_case(name)).second; ++k)
+          name = plain + "_" + std::to_string(k);
+        if (other.name == stage)
+          return name;
+      }
+    AssertThrow(false, dealii::ExcMessage("There is no stage " + stage + "."));
+    return "";
   }
 } // namespace NPT

@@ -4,11 +4,15 @@
 // load_step/load_stepper.cc, what is shown in plate_test_results.cc.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/plate_test/cell_preview.h>
 #include <npt_dealii/problems/plate_test/contact_checks.h>
+#include <npt_dealii/problems/plate_test/failure_advice.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
+
+#include <new>
 
 namespace NPT
 {
@@ -21,8 +25,8 @@ namespace NPT
     : parameters_(parameters)
     , log_(RunLog::in_folder(directory, screen))
     , timer_(screen, TimerOutput::never, TimerOutput::cpu_and_wall_times)
-    , results_(parameters, directory, log_, timer_)
-    , linear_solver_(parameters.linear_solver)
+    , results_(parameters_, directory, log_, timer_)
+    , linear_solver_(parameters_.linear_solver)
   {}
 
 
@@ -94,14 +98,26 @@ namespace NPT
                     [&](const AcceptedStep &step) {
                       accept_step(stage, step);
                     });
+        check_contact(
+          *cell_, parameters_, stage, state_, woven_, results_.curve(), log_);
       }
     catch (const StageFailed &failure)
       {
-        give_up(failure);
+        give_up(failure, index);
+      }
+    catch (const std::bad_alloc &)
+      {
+        give_up(StageFailed("Stage " + stage.name +
+                              " ran out of memory at load factor " +
+                              short_number(state_.load_factor) + ".",
+                            "out of memory",
+                            stage.name,
+                            state_.load_factor,
+                            0,
+                            OutOfMemory::remedy()),
+                index);
       }
     results_.end_stage(*cell_, stage, state_, woven_);
-    check_contact(
-      *cell_, parameters_, stage, state_, woven_, results_.curve(), log_);
   }
 
 
@@ -123,23 +139,34 @@ namespace NPT
    * the likelier cause, so that is looked up and said.
    */
   void
-  NumericalPlateTesting::give_up(const StageFailed &failure)
+  NumericalPlateTesting::give_up(const StageFailed &failure,
+                                 const unsigned int index)
   {
-    results_.draw_cells();
-    if (failure.reason() == "loss of ellipticity")
-      throw failure;
-    const DeformableBodies &bodies = cell_->bodies();
-    const auto  lowest  = bodies.lowest_acoustic_eigenvalue(state_.u);
-    std::string message = failure.what();
-    message += lowest.lowest.value > 0. ?
-                 " The material is elliptic at the last accepted step (" :
-                 " The material has lost its ellipticity (";
-    message += bodies.describe(lowest) + ").";
-    throw StageFailed(message,
-                      lowest.lowest.value > 0. ? failure.reason() :
-                                                 "loss of ellipticity",
-                      failure.stage(),
-                      failure.load_factor(),
-                      failure.n_cuts());
+    const LoadStage &stage   = parameters_.load_programme.stages[index];
+    std::string      account = failure.account(), reason = failure.reason();
+    bool             is_elliptic = reason != "loss of ellipticity";
+    if (is_elliptic && !tells_its_cause(failure))
+      {
+        const DeformableBodies &bodies = cell_->bodies();
+        const auto lowest = bodies.lowest_acoustic_eigenvalue(state_.u);
+        is_elliptic       = lowest.lowest.value > 0.;
+        account += is_elliptic ?
+                     " The material is elliptic at the last accepted step (" :
+                     " The material has lost its ellipticity (";
+        account += bodies.describe(lowest) + ").";
+        if (!is_elliptic)
+          reason = "loss of ellipticity";
+      }
+    const StageFailed complete(
+      account,
+      reason,
+      failure.stage(),
+      failure.load_factor(),
+      failure.n_cuts(),
+      advice_for(failure, parameters_, index, state_, is_elliptic));
+    results_.end_early(*cell_, stage, state_, woven_);
+    log_.note(complete.what());
+    results_.finish(*cell_, linear_solver_, system_);
+    throw complete;
   }
 } // namespace NPT

@@ -2,11 +2,13 @@
 // The problem "plate test": the run, its summary, its registration.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/interruption.h>
 #include <npt_dealii/base/problem.h>
 #include <npt_dealii/problems/plate_results/run_summary.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 #include <npt_dealii/problems/plate_test/plate_test.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace NPT
@@ -16,6 +18,7 @@ namespace NPT
                  const std::string         &directory,
                  std::ostream              &screen)
   {
+    const Interruption    interruption;
     NumericalPlateTesting test(parameters, directory, screen);
     const auto            summarize = [&]() {
       RunSummary summary = summarize_curve(test.curve());
@@ -37,7 +40,8 @@ namespace NPT
         unsigned int cuts_of_stage = 0;
         for (const CurveRow &row : test.curve())
           cuts_of_stage += row.stage == failure.stage() ? row.cuts : 0;
-        summary.cuts += failure.n_cuts() - cuts_of_stage;
+        summary.cuts +=
+          std::max(failure.n_cuts(), cuts_of_stage) - cuts_of_stage;
         write_run_summary(directory + "/summary.csv", summary);
         throw;
       }

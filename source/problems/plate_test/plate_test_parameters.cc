@@ -5,6 +5,8 @@
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/homogenization/cell_modes.h>
+#include <npt_dealii/problems/plate_test/cell_sizes.h>
+#include <npt_dealii/problems/plate_test/macro_limits.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 
 #include <algorithm>
@@ -201,6 +203,7 @@ namespace NPT
     material.check();
     weft_material.check("Weft material", &material);
     load_programme.check();
+    check_targets(load_programme.stages, 0.5 * layer_thickness(cell));
     if (cell.type == "automatic")
       {
         std::vector<unsigned int> modes;

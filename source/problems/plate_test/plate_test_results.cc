@@ -10,12 +10,12 @@
 #include <npt_dealii/problems/plate_results/curve_column.h>
 #include <npt_dealii/problems/plate_results/hysteresis.h>
 #include <npt_dealii/problems/plate_results/plots.h>
+#include <npt_dealii/problems/plate_test/cell_sizes.h>
 #include <npt_dealii/problems/plate_test/plate_step.h>
 #include <npt_dealii/problems/plate_test/plate_test_results.h>
 #include <npt_dealii/solid/solid_fields.h>
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <sstream>
 
@@ -52,16 +52,18 @@ namespace NPT
     if (!directory_.empty())
       std::ofstream(directory_ + "/used_parameters.prm")
         << parameters_.used_file;
-    log_.header("npt_dealii",
-                {{"cell", parameters_.cell.type},
-                 {"bundles", std::to_string(cell.fabric().bundles().size())},
-                 {"cells",
-                  std::to_string(cell.bodies().space().cells().size())},
-                 {"degree", std::to_string(parameters_.mesh.degree)},
-                 {"unknowns", std::to_string(cell.macro().n_unknowns())},
-                 {"contact nodes",
-                  std::to_string(cell.n_contact_nodes()) + " (" +
-                    name_of(parameters_.contact.method) + ")"}});
+    auto entries = describe_sizes(cell, parameters_);
+    for (const auto &[name, value] :
+         std::vector<std::pair<std::string, std::string>>{
+           {"bundles", std::to_string(cell.fabric().bundles().size())},
+           {"cells", std::to_string(cell.bodies().space().cells().size())},
+           {"degree", std::to_string(parameters_.mesh.degree)},
+           {"unknowns", std::to_string(cell.macro().n_unknowns())},
+           {"contact nodes",
+            std::to_string(cell.n_contact_nodes()) + " (" +
+              name_of(parameters_.contact.method) + ")"}})
+      entries.emplace_back(name, value);
+    log_.header("npt_dealii", entries);
     if (!parameters_.reason_for_type.empty())
       log_.line("The program chose the " + parameters_.cell.type + ", " +
                 parameters_.reason_for_type + ".");
@@ -114,7 +116,12 @@ namespace NPT
     using Fields = OutputParameters::Fields;
     if (parameters_.output.fields == Fields::steps ||
         (parameters_.output.fields == Fields::stages && load_factor == 1.))
-      write_fields(cell, step);
+      {
+        write_fields(cell, step.after, step.trial.contact);
+        last_contact_.clear();
+      }
+    else if (parameters_.output.fields == Fields::stages)
+      last_contact_ = step.trial.contact;
   }
 
 
@@ -183,13 +190,40 @@ namespace NPT
 
 
   void
-  PlateTestResults::write_fields(const PlateCell    &cell,
-                                 const AcceptedStep &step)
+  PlateTestResults::end_early(const PlateCell                     &cell,
+                              const LoadStage                     &stage,
+                              const State                         &state,
+                              const std::vector<dealii::Point<3>> &woven)
+  {
+    // Else the last accepted step is the end of the stage before, which is
+    // shown already.
+    if (curve_.empty() || curve_.back().stage != stage.name)
+      return;
+    try
+      {
+        if (!last_contact_.empty())
+          write_fields(cell, state, last_contact_);
+      }
+    catch (const std::runtime_error &failure)
+      {
+        log_.warning(std::string("There are no fields of the last step: ") +
+                     failure.what());
+      }
+    if (parameters_.output.picture)
+      write_picture(cell, stage, state, woven);
+  }
+
+
+
+  void
+  PlateTestResults::write_fields(
+    const PlateCell                         &cell,
+    const State                             &state,
+    const std::vector<ContactEvaluation<3>> &contact)
   {
     if (directory_.empty())
       return;
     TimerOutput::Scope timer(timer_, "Output");
-    const State       &state  = step.after;
     const auto        &bodies = cell.bodies();
     const double       time   = stages_done_ + state.load_factor;
     std::ostringstream number;
@@ -215,7 +249,7 @@ namespace NPT
                                       pair.direction,
                                       pair.secondary_side,
                                       *cell.contacts()[k],
-                                      step.trial.contact[k],
+                                      contact[k],
                                       state.u));
         contact_files_.emplace_back(time, name);
       }
@@ -255,10 +289,8 @@ namespace NPT
     for (const auto &[n, target] : stage.n_targets)
       title << ", " << MacroModes::table[n].conjugate << " = "
             << state.applied[n] << ' ' << MacroModes::table[n].conjugate_unit();
-    std::string name = "cell_" + stage.name;
-    for (char &c : name)
-      if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')
-        c = '_';
+    const std::string name =
+      "cell_" + parameters_.load_programme.file_name(stage.name);
 
     // A picture is not worth a run, so even a full disk does not end it here.
     try

@@ -2,6 +2,8 @@
 // The equations of a stage of a plate test.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/problems/plate_test/cell_sizes.h>
+#include <npt_dealii/problems/plate_test/macro_limits.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
 
 #include <cmath>
@@ -271,6 +273,15 @@ namespace NPT
   void
   PlateTestStage::check(const Trial &trial) const
   {
+    // Prescribed gradients were checked when the file was read; resultants
+    // may lead anywhere.
+    KnownGradients H;
+    for (unsigned int n = 0; n < MacroModes::n; ++n)
+      H[n] = trial.u[cell_.macro().mode(n)];
+    const std::string obstacle =
+      obstacle_of_gradients(H, 0.5 * layer_thickness(parameters_.cell));
+    if (!obstacle.empty())
+      throw CellCollapsed(obstacle);
     if (!parameters_.stability.check_ellipticity)
       return;
     const auto scope  = section(timer_, "Ellipticity");

@@ -4,6 +4,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/problems/plate_results/curve_writer.h>
+#include <npt_dealii/problems/plate_results/driving_component.h>
 #include <npt_dealii/problems/plate_results/plots.h>
 #include <npt_dealii/problems/plate_results/step_table.h>
 

@@ -90,3 +90,80 @@ TEST_CASE("The report of a loop names rigidity and width with their units",
   CHECK(text.find("B = 3 N mm") != std::string::npos);
   CHECK(text.find("2HB = 0.4 N,") != std::string::npos);
 }
+
+
+
+TEST_CASE("The driven component is found by its work, whatever follows it",
+          "[output]")
+{
+  // Bending of a large cell: curvatures are small numbers. An extension
+  // without force is larger and even, a torsion without moment is odd and
+  // closes a loop of its own.
+  auto curve = parallelogram(3, 0.0075, 3., 0.4);
+  for (CurveRow &row : curve)
+    {
+      row.H[0] = 2. * row.H[3] * row.H[3] + std::abs(row.H[3]);
+      row.H[5] = 50. * row.H[3];
+      row.n[5] = 1e-12;
+    }
+  const auto loop = NPT::last_loop(curve, 10.);
+  REQUIRE(loop);
+  CHECK(loop->component == 3);
+  CHECK(loop->amplitude == Approx(0.0075));
+  CHECK(loop->width == Approx(0.4));
+}
+
+
+
+TEST_CASE("The report of a loop has a name and a unit for every mode",
+          "[output]")
+{
+  for (unsigned int n = 0; n < NPT::MacroModes::n; ++n)
+    {
+      const NPT::MacroMode &mode = NPT::MacroModes::table[n];
+      const auto loop = NPT::last_loop(parallelogram(n, 0.25, 3., 0.4), 10.);
+      REQUIRE(loop);
+      const std::string text = NPT::describe(*loop);
+      CAPTURE(text);
+      CHECK(std::string(mode.rigidity).size() > 0);
+      CHECK(std::string(mode.hysteresis).size() > 0);
+      CHECK_THAT(text,
+                 Catch::Contains(std::string("rigidity ") + mode.rigidity +
+                                 " = 3 " + mode.rigidity_unit()) &&
+                   Catch::Contains(std::string("hysteresis ") +
+                                   mode.hysteresis + " = 0.4 " +
+                                   mode.conjugate_unit()) &&
+                   !Catch::Contains("  "));
+    }
+}
+
+
+
+TEST_CASE("A loop whose area is not the losses is not reported as an equation",
+          "[output]")
+{
+  // The figures of a run with one step per branch.
+  NPT::HysteresisLoop loop{};
+  loop.component     = 2;
+  loop.amplitude     = 0.1;
+  loop.loop_area     = 3.975e-05;
+  loop.dissipation   = 0.02226;
+  loop.energy_growth = -2e-5;
+  loop.work          = 0.06;
+  loop.n_steps       = 2;
+  CHECK(!loop.is_balanced());
+  CHECK_THAT(NPT::describe(loop),
+             !Catch::Contains("= dissipation") &&
+               Catch::Contains("2 steps of the loop are too long") &&
+               Catch::Contains("Maximum step"));
+
+  loop.loop_area = 0.0221;
+  CHECK(loop.is_balanced());
+  CHECK_THAT(NPT::describe(loop), Catch::Contains("= dissipation 0.02226"));
+
+  // Without friction the area is nothing but the error of the rule.
+  loop.loop_area   = 1e-6;
+  loop.dissipation = loop.energy_growth = 0.;
+  CHECK_THAT(NPT::describe(loop),
+             !Catch::Contains("= dissipation") && !Catch::Contains("too long"));
+}

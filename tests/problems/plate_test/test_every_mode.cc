@@ -4,6 +4,7 @@
 
 #include <npt_dealii/base/parameter_text.h>
 #include <npt_dealii/homogenization/macro_modes.h>
+#include <npt_dealii/problems/plate_results/driving_component.h>
 #include <npt_dealii/problems/plate_results/hysteresis.h>
 #include <npt_dealii/problems/plate_results/plots.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>

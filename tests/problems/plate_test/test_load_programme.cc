@@ -152,3 +152,21 @@ TEST_CASE("A component that does not exist is refused by the pattern",
   CHECK_THROWS(read(stage("shear", "set Targets = H7: 0.1")));
   CHECK_THROWS(read(stage("shear", "set Targets = 0.1")));
 }
+
+
+
+TEST_CASE("No two stages share the names of their files", "[solver]")
+{
+  const LoadProgramme program =
+    read("set Stages = load +, load *, Load _, load -, load __2\n" +
+         stage("load +", "set Targets = H3: 0.02") +
+         stage("load *", "set Targets = H3: 0") +
+         stage("Load _", "set Targets = H3: 0.02") +
+         stage("load -", "set Targets = H3: 0") +
+         stage("load __2", "set Targets = H3: 0"));
+  CHECK(program.file_name("load +") == "load__");
+  CHECK(program.file_name("load *") == "load___2");
+  CHECK(program.file_name("Load _") == "Load___3");
+  CHECK(program.file_name("load -") == "load_-");
+  CHECK(program.file_name("load __2") == "load___2_2");
+}

@@ -38,11 +38,27 @@ namespace NPT
     double loop_area;
     /// Frictional dissipation and growth of the energies in the loop [N/mm].
     double dissipation, energy_growth;
+    /// Amount of work in the loop, of all modes [N/mm]; amount_of_work().
+    double       work;
+    unsigned int n_steps; ///< in the loop
+
+    /// Loop area less dissipation and growth [N/mm]: zero but for the error of
+    /// the trapezoidal rule.
+    double
+    imbalance() const
+    {
+      return loop_area - dissipation - energy_growth;
+    }
+    /// Whether the loop area is the dissipation and the growth, to 3 % of the
+    /// larger.
+    bool
+    is_balanced() const;
   };
 
   /**
-   * Find the last closed loop in which one component H_k alone goes from A to
-   * -A and back (or the other way round).
+   * Find the closed loop with which a curve ends: a component H_k goes from A
+   * to -A and back (or the other way round). If several do, the one that does
+   * most work, which is the one that is driven.
    *
    * @param area Of the cell [mm^2]: the energies of a row are those of a cell.
    * @return Nothing if the curve does not end with such a loop.
@@ -50,7 +66,7 @@ namespace NPT
   std::optional<HysteresisLoop>
   last_loop(const std::vector<CurveRow> &curve, const double area);
 
-  /// One sentence for the log.
+  /// One sentence for the log. It says so where the loop is not balanced.
   std::string
   describe(const HysteresisLoop &loop);
 

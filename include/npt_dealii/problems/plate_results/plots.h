@@ -7,7 +7,6 @@
 
 #include <npt_dealii/problems/plate_results/curve_writer.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,15 +38,6 @@ namespace NPT
   /// Name and unit of a column in gnuplot's enhanced text, "shear H_3 [-]".
   std::string
   column_label(const std::string &column);
-
-  /**
-   * Return the mode whose loading drives the given rows: the one with the
-   * largest work |int n_i dH_i| per cell area. Membrane strains and curvatures
-   * have different units, their work has not. If no work is done, the mode with
-   * the largest change; nothing if none changes.
-   */
-  std::optional<unsigned int>
-  driving_component(const std::vector<CurveRow> &rows);
 
   /**
    * Choose two panels per stage (stages in a row that drive the same component

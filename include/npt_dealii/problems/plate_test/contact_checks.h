@@ -36,9 +36,9 @@ namespace NPT
    *
    * @param curve With the last step of the stage.
    *
-   * Throws StageFailed if the overlap is larger than Contact / Maximum overlap
-   * times the thickness of the thinner bundle, or if the bundles of a woven
-   * cell do not touch at all.
+   * Throws StageFailed, "bundles overlap" or "no contact", if the overlap is
+   * larger than Contact / Maximum overlap times the thickness of the thinner
+   * bundle, or if the bundles of a woven cell do not touch at all.
    */
   void
   check_contact(const PlateCell                     &cell,

@@ -100,6 +100,12 @@ namespace NPT
     void
     check();
 
+    /// The name of a stage as a part of file names: letters, digits, '-' and
+    /// '_', different for every stage, also where upper and lower case are the
+    /// same.
+    std::string
+    file_name(const std::string &stage) const;
+
   private:
     std::string names_; ///< as the file writes them
   };

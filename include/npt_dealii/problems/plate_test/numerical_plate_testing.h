@@ -44,8 +44,8 @@ namespace NPT
                           const std::string         &directory,
                           std::ostream              &screen);
 
-    /// The whole test. Throws StageFailed if a stage cannot be finished; all
-    /// results up to there are complete on disk.
+    /// The whole test. Throws StageFailed if a stage cannot be finished or the
+    /// run is interrupted; all results up to there are complete on disk.
     void
     run();
 
@@ -97,9 +97,10 @@ namespace NPT
     run_stage(const unsigned int index);
     void
     accept_step(const LoadStage &stage, const AcceptedStep &step);
-    /// Throw the failure of a stage again, with the state of the material.
+    /// Complete the results, and throw the failure of a stage again, with the
+    /// state of the material and the advice for it.
     [[noreturn]] void
-    give_up(const StageFailed &failure);
+    give_up(const StageFailed &failure, const unsigned int index);
 
     const PlateTestParameters  parameters_;
     RunLog                     log_;

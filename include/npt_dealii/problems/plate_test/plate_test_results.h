@@ -27,6 +27,7 @@ namespace NPT
   class PlateTestResults
   {
   public:
+    /// @param parameters Must outlive the results, as log and timer must.
     /// @param directory Existing folder; empty: write nothing (tests).
     PlateTestResults(const PlateTestParameters &parameters,
                      const std::string         &directory,
@@ -66,9 +67,16 @@ namespace NPT
               const LoadStage                     &stage,
               const State                         &state,
               const std::vector<dealii::Point<3>> &woven);
+    /// A stage ends before its end: fields and picture of the last accepted
+    /// step. What goes wrong is a warning in the log, so that it does not hide
+    /// why the stage ended.
     void
-    draw_cells();
-    /// Hysteresis, warnings, pictures, times.
+    end_early(const PlateCell                     &cell,
+              const LoadStage                     &stage,
+              const State                         &state,
+              const std::vector<dealii::Point<3>> &woven);
+    /// Hysteresis, warnings, pictures, times: of every run, also of one that
+    /// ends early.
     void
     finish(const PlateCell    &cell,
            const LinearSolver &linear_solver,
@@ -80,12 +88,16 @@ namespace NPT
              const LoadStage    &stage,
              const AcceptedStep &step) const;
     void
-    write_fields(const PlateCell &cell, const AcceptedStep &step);
+    write_fields(const PlateCell                         &cell,
+                 const State                             &state,
+                 const std::vector<ContactEvaluation<3>> &contact);
     void
     write_picture(const PlateCell                     &cell,
                   const LoadStage                     &stage,
                   const State                         &state,
                   const std::vector<dealii::Point<3>> &woven);
+    void
+    draw_cells();
     void
     warn_of_penetration();
     double
@@ -103,6 +115,8 @@ namespace NPT
     std::vector<std::pair<double, std::string>> bundle_files_, contact_files_;
     std::vector<std::string>                    cell_scripts_;
     double                                      stages_done_ = 0;
+    // Of the last accepted step, if its fields may still be wanted.
+    std::vector<ContactEvaluation<3>> last_contact_;
   };
 } // namespace NPT
 

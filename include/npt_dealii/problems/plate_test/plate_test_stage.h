@@ -63,7 +63,8 @@ namespace NPT
                 ConstrainedSystem &system) const override;
     std::vector<std::vector<unsigned int>>
     couplings(const Increment &increment, const Trial &trial) const override;
-    /// Ellipticity at all quadrature points, if asked for.
+    /// Whether the gradients leave something of the cell; ellipticity at all
+    /// quadrature points, if asked for.
     void
     check(const Trial &trial) const override;
     State
