@@ -275,7 +275,7 @@ TEST_CASE("Newton parameters are read from their subsection", "[solver]")
   CHECK_FALSE(parameters.line_search);
   CHECK(parameters.nonmonotone_memory == 1);
   CHECK(parameters.relative_tolerance == 1e-7);
-  CHECK(parameters.absolute_tolerance == 1e-10);
+  CHECK(parameters.absolute_tolerance == 0.);
   CHECK(parameters.max_iterations == 25);
   CHECK(parameters.max_halvings == 8);
 }

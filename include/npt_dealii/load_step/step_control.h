@@ -72,6 +72,10 @@ namespace NPT
     void
     reject(const LoadStepFailure &failure);
 
+    /// Whether the next step cannot be cut.
+    bool
+    is_shortest() const;
+
     bool
     finished() const;
 

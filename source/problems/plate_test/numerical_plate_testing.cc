@@ -4,6 +4,7 @@
 // load_step/load_stepper.cc, what is shown in plate_test_results.cc.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/plate_test/cell_preview.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
@@ -109,6 +110,35 @@ namespace NPT
     if (stage.type != LoadStage::Type::load && state_.load_factor == 1.)
       woven_ = cell_->woven_positions(state_.u); // weaving has ended here
     results_.add_step(*cell_, stage, step, woven_);
+    warn_of_ellipticity(stage, step);
+  }
+
+
+
+  /*
+   * Where the run does not stop at a loss of ellipticity: the first one of
+   * every stage is said.
+   */
+  void
+  NumericalPlateTesting::warn_of_ellipticity(const LoadStage    &stage,
+                                             const AcceptedStep &step)
+  {
+    if (parameters_.stability.on_loss == StabilityParameters::OnLoss::stop ||
+        stage.name == not_elliptic_in_)
+      return;
+    TimerOutput::Scope timer(timer_, "Ellipticity");
+    const auto         loss = cell_->bodies().loss_of_ellipticity(state_.u);
+    if (!loss)
+      return;
+    not_elliptic_in_ = stage.name;
+    log_.warning("Stage " + stage.name +
+                 ": the material lost its ellipticity "
+                 "between the load factors " +
+                 short_number(step.before.load_factor) + " and " +
+                 short_number(step.after.load_factor) + " (" +
+                 cell_->bodies().describe(*loss) +
+                 "). What follows depends on the mesh; On loss of ellipticity "
+                 "= stop ends the run here (subsection Stability).");
   }
 
 

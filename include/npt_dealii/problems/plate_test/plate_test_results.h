@@ -88,6 +88,8 @@ namespace NPT
                   const std::vector<dealii::Point<3>> &woven);
     void
     warn_of_penetration();
+    void
+    report_energies();
     double
     cpu_seconds() const;
 
@@ -103,6 +105,7 @@ namespace NPT
     std::vector<std::pair<double, std::string>> bundle_files_, contact_files_;
     std::vector<std::string>                    cell_scripts_;
     double                                      stages_done_ = 0;
+    EnergyBalance                               energy_balance_;
   };
 } // namespace NPT
 
