@@ -243,6 +243,7 @@ namespace NPT
       cell.side_contact = neighbors_may_touch(*this) ?
                             CellParameters::SideContact::on :
                             CellParameters::SideContact::off;
+    contact.set_thickness(cell.bundle_thickness.smaller());
     check_modes(*this);
     check_smooth_closure(*this);
   }
