@@ -304,9 +304,11 @@ namespace NPT
       return;
     std::ostringstream detail;
     detail.precision(3);
-    detail << "of the energy " << step.content << " N mm " << step.missing()
-           << " N mm are missing after the step, of whose work " << step.work
-           << " N mm is known up to " << step.uncertainty;
+    detail << "its work " << step.work << " N mm, known up to "
+           << step.uncertainty << " N mm, and the growth of the energies "
+           << step.growth << " N mm plus the dissipation " << step.dissipation
+           << " N mm differ by more than the tolerance of the energy "
+           << step.content << " N mm";
     throw BranchLeft(detail.str());
   }
 
