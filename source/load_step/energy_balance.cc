@@ -15,6 +15,7 @@ namespace NPT
     , growth(after.content() - before.content())
     , dissipation(after.dissipation - before.dissipation)
     , uncertainty(after.work_uncertainty - before.work_uncertainty)
+    , release(after.release_uncertainty - before.release_uncertainty)
     , content(std::max(std::abs(before.content()), std::abs(after.content())))
   {}
 
@@ -32,7 +33,9 @@ namespace NPT
   EnergyBalance::Stage::deviation() const
   {
     const double scale = std::max(throughput, 0.01 * total.content);
-    return scale > 0. ? std::abs(total.missing()) / scale : 0.;
+    const double missing =
+      std::max(std::abs(total.missing()) - total.release, 0.);
+    return scale > 0. ? missing / scale : 0.;
   }
 
 

@@ -105,7 +105,7 @@ namespace
       LoadStepper    stepper(newton, ContactParameters(), system, solver, log);
       StepParameters steps;
       steps.initial_step = steps.maximum_step = 1. / n_steps;
-      steps.minimum_step                      = 1e-3;
+      steps.minimum_step                      = 0.02;
       std::vector<State> states(1);
       states[0].u.reinit(2);
       states[0].u[0] = states[0].u[1] = -1.;
@@ -130,12 +130,12 @@ namespace
 
 
 
-TEST_CASE("On one path of equilibria a step of any length is no jump, and what "
-          "is missing falls with the square of the step",
+TEST_CASE("Where the driving force is monotone, a step of any length is no "
+          "jump, and what is missing falls with the square of the step",
           "[load_step]")
 {
   const auto missing = [](const unsigned int n) {
-    DoubleWell well(2., 2.);
+    DoubleWell well(2., -3.); // away from the other well
     const auto states = well.run(n);
     CHECK(states.size() == n + 1); // no cut
     CHECK(well.screen.str().find("jump") == std::string::npos);
@@ -163,8 +163,7 @@ TEST_CASE("A step over a snap is cut down to the smallest one, which is "
     ++n;
   REQUIRE(n < states.size());
   CHECK(states[n].u[1] > 1.);
-  // 3 over the least multiple of 1/5 2^-k that is not below 1e-3.
-  const double shortest = 3. / 640.;
+  const double shortest = 3. / 40.; // 1/5 2^-k that is not below 0.02
   CHECK(states[n - 1].u[0] < H_fold);
   CHECK(states[n].u[0] == Approx(states[n - 1].u[0] + shortest));
   CHECK(states[n].u[0] < H_fold + shortest);
@@ -176,7 +175,7 @@ TEST_CASE("A step over a snap is cut down to the smallest one, which is "
   // The other root of x^3 - x + k (x - H) = 0.
   const double released = energy(H_fold, x_fold) - energy(H_fold, -2. * x_fold);
   CHECK(EnergyChange(states[n - 1].energies, states[n].energies).missing() ==
-        Approx(released).epsilon(0.05));
+        Approx(released).epsilon(0.1));
 }
 
 

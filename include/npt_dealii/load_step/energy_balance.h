@@ -25,6 +25,8 @@ namespace NPT
     /// Sum of |Delta n| |Delta H| / 2 over steps and driving forces n: by so
     /// much the work can be off if every n is monotone within its steps.
     double work_uncertainty = 0;
+    /// The part of it that comes from the release of the foundation.
+    double release_uncertainty = 0;
 
     double
     content() const
@@ -50,6 +52,7 @@ namespace NPT
     double growth      = 0; ///< Delta E
     double dissipation = 0; ///< D
     double uncertainty = 0; ///< of W
+    double release     = 0; ///< uncertainty by the release of the foundation
     double content     = 0; ///< the larger one of the two states
 
     EnergyChange() = default;
@@ -78,8 +81,9 @@ namespace NPT
       /// Sum over the steps of the largest of |W|, |Delta E|, D.
       double throughput = 0;
 
-      /// |M| over the throughput, or over 1 % of the energy content if less
-      /// than that has flowed.
+      /// |M| without the uncertainty of the release, which may go in one step,
+      /// over the throughput, or over 1 % of the energy content if less than
+      /// that has flowed.
       double
       deviation() const;
     };

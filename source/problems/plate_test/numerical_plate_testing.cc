@@ -123,20 +123,34 @@ namespace NPT
   NumericalPlateTesting::warn_of_ellipticity(const LoadStage    &stage,
                                              const AcceptedStep &step)
   {
-    if (parameters_.stability.on_loss == StabilityParameters::OnLoss::stop ||
-        stage.name == not_elliptic_in_)
+    if (parameters_.stability.stops_at_loss() || stage.name == not_elliptic_in_)
       return;
     TimerOutput::Scope timer(timer_, "Ellipticity");
-    const auto         loss = cell_->bodies().loss_of_ellipticity(state_.u);
+    auto               loss = cell_->bodies().loss_of_ellipticity(state_.u);
     if (!loss)
       return;
     not_elliptic_in_ = stage.name;
+    // Where on the way between the two states it was, to 1/256 of the step.
+    double elliptic = 0, lost = 1;
+    while (lost - elliptic > 1. / 300.)
+      {
+        const double           middle = 0.5 * (elliptic + lost);
+        dealii::Vector<double> u(step.before.u);
+        u.sadd(1. - middle, middle, step.after.u);
+        if (const auto found = cell_->bodies().loss_of_ellipticity(u))
+          {
+            loss = found;
+            lost = middle;
+          }
+        else
+          elliptic = middle;
+      }
+    const double from = step.before.load_factor, to = step.after.load_factor;
     log_.warning("Stage " + stage.name +
-                 ": the material lost its ellipticity "
-                 "between the load factors " +
-                 short_number(step.before.load_factor) + " and " +
-                 short_number(step.after.load_factor) + " (" +
-                 cell_->bodies().describe(*loss) +
+                 ": the material loses its ellipticity at load factor " +
+                 short_number(from + lost * (to - from), 4) +
+                 " between the steps " + short_number(from) + " and " +
+                 short_number(to) + " (" + cell_->bodies().describe(*loss) +
                  "). What follows depends on the mesh; On loss of ellipticity "
                  "= stop ends the run here (subsection Stability).");
   }

@@ -73,7 +73,8 @@ namespace NPT
       prm,
       "Check ellipticity",
       check_ellipticity,
-      "Of older files; a loss of ellipticity is looked for in any case.");
+      "true: as On loss of ellipticity = stop. A loss is looked for in any "
+      "case.");
     add_parameter(
       prm,
       "On loss of ellipticity",
@@ -82,7 +83,7 @@ namespace NPT
       "positive at some quadrature point after a load step. stop: the step is "
       "refused and cut, so that the run ends at the loss and names bundle, "
       "place and direction. warn: the same words are a warning, and the run "
-      "goes on, with results that depend on the mesh.");
+      "goes on; what follows depends on the mesh.");
     add_parameter(
       prm,
       "Energy tolerance",

@@ -293,7 +293,7 @@ namespace NPT
   PlateTestStage::check(const State &before, const State &after) const
   {
     const StabilityParameters &stability = parameters_.stability;
-    if (stability.on_loss == StabilityParameters::OnLoss::stop)
+    if (stability.stops_at_loss())
       {
         const auto scope = section(timer_, "Ellipticity");
         if (const auto loss = cell_.bodies().loss_of_ellipticity(after.u))
@@ -342,11 +342,12 @@ namespace NPT
                                const Trial &trial,
                                State       &state) const
   {
-    Energies &energies        = state.energies;
-    energies.work             = before.energies.work;
-    energies.work_uncertainty = before.energies.work_uncertainty;
-    energies.dissipation      = before.energies.dissipation;
-    energies.stored           = cell_.bodies().stored_energy(state.u);
+    Energies &energies           = state.energies;
+    energies.work                = before.energies.work;
+    energies.work_uncertainty    = before.energies.work_uncertainty;
+    energies.release_uncertainty = before.energies.release_uncertainty;
+    energies.dissipation         = before.energies.dissipation;
+    energies.stored              = cell_.bodies().stored_energy(state.u);
     for (unsigned int k = 0; k < contacts().size(); ++k)
       {
         const ContactSummary summary = contacts()[k]->summary(trial.contact[k]);
@@ -391,7 +392,11 @@ namespace NPT
     const double share_before = foundation_share(before.load_factor);
     energies.foundation       = share * at_full;
     if (share != share_before)
-      add(foundation_energy(before.u), at_full, share - share_before);
+      {
+        const double work_before = energies.work_uncertainty;
+        add(foundation_energy(before.u), at_full, share - share_before);
+        energies.release_uncertainty += energies.work_uncertainty - work_before;
+      }
   }
 
 

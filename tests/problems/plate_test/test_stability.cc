@@ -88,9 +88,15 @@ TEST_CASE("A run that goes on without ellipticity says so", "[top]")
   const Run run(compression("0.1", "warn"));
   CHECK(run.reason.empty());
   CHECK(run.curve.back().H[0] == Approx(-0.3));
-  // H1 = -0.1017 is the load factor 0.339.
-  CHECK(run.says("Stage squeeze: the material lost its ellipticity between the "
-                 "load factors 0.3 and 0.4 (bundle"));
+  const std::string text =
+    "Stage squeeze: the material loses its ellipticity at "
+    "load factor ";
+  REQUIRE(run.says(text));
+  const std::string log = run.screen.str();
+  // H1 = -0.1017; on the straight line between the states at 0.3 and 0.4.
+  CHECK(std::stod(log.substr(log.find(text) + text.size())) ==
+        Approx(0.339).margin(0.003));
+  CHECK(run.says("between the steps 0.3 and 0.4 (bundle"));
 }
 
 
@@ -109,7 +115,6 @@ TEST_CASE("Work, also of weaving, is the growth of the energies plus the "
     const Energies   &e = run.state.energies;
     CHECK(run.reason.empty());
     CHECK_FALSE(run.says("energy balance"));
-    CHECK(run.says("energies [N mm]"));
     // The account is that of the curve.
     const CurveRow &last = run.curve.back();
     CHECK(e.content() == Approx(last.stored_energy + last.contact_energy +

@@ -54,9 +54,15 @@ namespace NPT
       warn  ///< the run goes on
     };
 
-    bool   check_ellipticity = false;
-    OnLoss on_loss           = OnLoss::stop;
+    bool   check_ellipticity = false; ///< of older files: stop
+    OnLoss on_loss           = OnLoss::warn;
     double energy_tolerance  = 0.05; ///< of balances [-]
+
+    bool
+    stops_at_loss() const
+    {
+      return check_ellipticity || on_loss == OnLoss::stop;
+    }
 
     void
     add_parameters(dealii::ParameterHandler &prm);
