@@ -282,7 +282,7 @@ TEST_CASE(
 {
   std::mt19937                     generator(3);
   const FiberBundleConstants       table_1;
-  const FiberBundleLaw<3>          bundle(table_1, first_axis());
+  const FiberBundleLaw<3>          bundle(table_1, first_axis<3>());
   std::normal_distribution<double> normal;
   for (const double size : {0.02, 0.1, 0.2})
     {
