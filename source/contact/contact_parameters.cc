@@ -148,20 +148,32 @@ namespace NPT
                   "Penetration tolerance",
                   penetration_tolerance,
                   "Augmented Lagrangian: largest gap, in absolute value, "
-                  "that is left at a closed contact node [mm].",
-                  positive_number());
+                  "that is left at a closed contact node [mm]. 0: 1.7e-5 of "
+                  "the thickness.",
+                  Patterns::Double(0.));
     add_parameter(prm,
                   "Stick tolerance",
                   stick_tolerance,
                   "Augmented Lagrangian: largest change of the elastic "
-                  "part of the slip in the last repetition [mm].",
-                  positive_number());
+                  "part of the slip in the last repetition [mm]. 0: 1.7e-5 "
+                  "of the thickness.",
+                  Patterns::Double(0.));
     add_parameter(prm,
                   "Maximum augmentations",
                   max_augmentations,
                   "Repetitions of a load step after which it counts as "
                   "failed [-].",
                   Patterns::Integer(1, 1000));
+  }
+
+
+
+  void
+  ContactParameters::set_thickness(const double thickness)
+  {
+    for (double *tolerance : {&penetration_tolerance, &stick_tolerance})
+      if (*tolerance == 0.)
+        *tolerance = default_tolerance * thickness;
   }
 
 

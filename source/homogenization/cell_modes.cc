@@ -78,6 +78,25 @@ namespace NPT
 
 
 
+  double
+  length_unit(const CellParameters &cell)
+  {
+    return 0.2 * cell.crossing_spacing.smaller();
+  }
+
+
+
+  double
+  displacement_unit(const CellParameters &cell, const unsigned int n)
+  {
+    const double length = length_unit(cell);
+    return MacroModes::table[n].kind == MacroMode::Kind::membrane ?
+             length :
+             length * length;
+  }
+
+
+
   std::pair<std::string, std::string>
   smallest_cell_type(const CellParameters            &cell,
                      const std::vector<unsigned int> &modes)

@@ -35,7 +35,8 @@ namespace NPT
         , places_(places)
         , modes_(represented_modes(cell))
         , finder_(cell, space)
-        , orbits_(macro.first, MacroUnknowns::n_macro)
+        , units_(units_of_coefficients(cell))
+        , orbits_(macro.first, units_)
       {}
 
       // Control points that an operation maps onto each other.
@@ -102,7 +103,7 @@ namespace NPT
               constraints.add_entry(line, 3 * A + i, g.Q[i]);
               const Affine affine = jump(A, g, i);
               for (const unsigned int n : modes_)
-                if (std::abs(affine[n]) > 1e-14)
+                if (std::abs(affine[n]) > 1e-14 * units_[n])
                   constraints.add_entry(line, macro_.mode(n), affine[n]);
               if (i == 2)
                 constraints.add_entry(line,
@@ -141,6 +142,16 @@ namespace NPT
       }
 
     private:
+      // Of the coefficients of the macro unknowns in the couplings.
+      static Affine
+      units_of_coefficients(const FabricCell &cell)
+      {
+        Affine units(MacroUnknowns::n_macro, 1.);
+        for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+          units[n] = displacement_unit(cell.parameters(), n);
+        return units;
+      }
+
       using WeightedPoints = std::vector<std::pair<unsigned int, double>>;
 
       // w_m(gY) - Q w_m(Y) per unit of each macro unknown.
@@ -229,10 +240,17 @@ namespace NPT
             pivot = term;
         constraints.add_line(pivot->first);
         for (const auto &[unknown, factor] : sum)
-          if (unknown != pivot->first && std::abs(factor) > 1e-14)
+          if (unknown != pivot->first &&
+              std::abs(factor) > 1e-14 * unit_of_coefficient(unknown))
             constraints.add_entry(pivot->first,
                                   unknown,
                                   -factor / pivot->second);
+      }
+
+      double
+      unit_of_coefficient(const unsigned int unknown) const
+      {
+        return unknown < macro_.first ? 1. : units_[unknown - macro_.first];
       }
 
       const FabricCell               &cell_;
@@ -241,6 +259,7 @@ namespace NPT
       const std::vector<Point<3>>    &places_; // to which jumps refer
       const std::vector<unsigned int> modes_;
       const BundlePointFinder         finder_;
+      const Affine                    units_;
       OrbitConstraints                orbits_;
     };
   } // namespace

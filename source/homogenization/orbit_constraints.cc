@@ -9,13 +9,14 @@
 namespace NPT
 {
   OrbitConstraints::OrbitConstraints(const unsigned int n_unknowns,
-                                     const unsigned int n_macro)
-    : n_macro_(n_macro)
+                                     const Affine      &unit)
+    : n_macro_(unit.size())
+    , unit_(unit)
     , fixed_(n_unknowns, false)
     , value_(n_unknowns)
   {
     for (unsigned int i = 0; i < n_unknowns; ++i)
-      parent_.push_back({i, 1., Affine(n_macro, 0.)});
+      parent_.push_back({i, 1., Affine(n_macro_, 0.)});
   }
 
 
@@ -60,7 +61,7 @@ namespace NPT
 
     const auto check = [&](const Affine &a, const Affine &b) {
       for (unsigned int k = 0; k < n_macro_; ++k)
-        if (std::abs(a[k] - b[k]) > 1e-9 * (1 + std::abs(a[k])))
+        if (std::abs(a[k] - b[k]) > 1e-9 * (unit_[k] + std::abs(a[k])))
           throw std::logic_error(
             "The coupling '" + name +
             "' contradicts the others: it would prescribe macro unknown " +
@@ -206,7 +207,7 @@ namespace NPT
                                    std::to_string(entry.first) + ".");
         for (unsigned int k = 0; k < n_macro_; ++k)
           if (std::abs(right.affine[k] - left.affine[k]) >
-              1e-9 * (1 + std::abs(left.affine[k])))
+              1e-9 * (unit_[k] + std::abs(left.affine[k])))
             throw std::logic_error("The condition '" + combination.name +
                                    "' contradicts the others: it would "
                                    "prescribe macro unknown " +
@@ -224,7 +225,7 @@ namespace NPT
           if (std::abs(factor) > 1e-14)
             constraints.add_entry(i, free, factor);
         for (unsigned int k = 0; k < n_macro_; ++k)
-          if (std::abs(form.affine[k]) > 1e-14)
+          if (std::abs(form.affine[k]) > 1e-14 * unit_[k])
             constraints.add_entry(i, parent_.size() + k, form.affine[k]);
       }
   }

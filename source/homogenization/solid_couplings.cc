@@ -58,7 +58,11 @@ namespace NPT
                   1e-7 * std::min({periods[0].norm(),
                                    periods[1].norm(),
                                    periods[2].norm()}))
-        , orbits_(macro.first, SolidMacroUnknowns::n_macro)
+        , orbits_(macro.first,
+                  Affine(SolidMacroUnknowns::n_macro,
+                         std::min({periods[0].norm(),
+                                   periods[1].norm(),
+                                   periods[2].norm()})))
       {}
 
       // Relate a face to its partners, over all neighboring cells.

@@ -4,6 +4,8 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/load_step/augmented_lagrangian.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <limits>
 #include <sstream>
@@ -22,6 +24,12 @@ namespace NPT
   AugmentedLagrangian::AugmentedLagrangian(const ContactParameters &parameters)
     : parameters_(parameters)
   {
+    AssertThrow(!parameters.augmented() ||
+                  (parameters.penetration_tolerance > 0. &&
+                   parameters.stick_tolerance > 0.),
+                dealii::ExcMessage("ContactParameters::set_thickness() must "
+                                   "give the tolerances of the augmented "
+                                   "Lagrangian."));
     previous_.gap = previous_.slip = std::numeric_limits<double>::max();
   }
 

@@ -13,8 +13,24 @@ namespace NPT
 
 
 
+  double
+  EquilibriumProblem::force_unit() const
+  {
+    return 0.;
+  }
+
+
+
+  double
+  EquilibriumProblem::lever_arm(const unsigned int) const
+  {
+    return 1.;
+  }
+
+
+
   void
-  EquilibriumProblem::check(const Trial &) const
+  EquilibriumProblem::check(const State &, const State &) const
   {}
 
 

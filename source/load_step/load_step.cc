@@ -47,6 +47,9 @@ namespace NPT
     AssertDimension(increment_.target.size(), system.n_independent());
     system.restrict_to_independent(accepted.u, m_accepted_);
     m_ = increment_.target;
+    for (unsigned int k = 0; k < system.n_free(); ++k)
+      lever_arms_.push_back(
+        problem.lever_arm(system.unknown(system.free_unknown(k))));
   }
 
 
@@ -127,7 +130,20 @@ namespace NPT
       solve_linear(rhs, dx);
     };
     equations.force_scale = [this]() { return trial_.force_scale; };
+    equations.force_unit  = problem_.force_unit();
+    equations.norm        = [this](const Vector<double> &r) { return norm(r); };
     return equations;
+  }
+
+
+
+  double
+  LoadStep::norm(const Vector<double> &r) const
+  {
+    Vector<double> forces(r);
+    for (unsigned int k = 0; k < forces.size(); ++k)
+      forces[k] /= lever_arms_[k];
+    return forces.l2_norm();
   }
 
 

@@ -4,6 +4,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/interruption.h>
 #include <npt_dealii/base/short_number.h>
+#include <npt_dealii/load_step/branch_left.h>
 #include <npt_dealii/load_step/load_stepper.h>
 
 #include <utility>
@@ -53,6 +54,7 @@ namespace NPT
         const double            load_factor = control.trial();
         std::optional<LoadStep> step;
         LoadStepReport          report;
+        State                   accepted;
         // Only failures of the LoadStepFailure family are survivable.
         try
           {
@@ -62,7 +64,9 @@ namespace NPT
                          system_,
                          linear_solver_,
                          timer_);
-            report = solve(*step, problem, state, previous);
+            report   = solve(*step, state, previous);
+            accepted = problem.accept(state, step->increment(), step->trial());
+            check(problem, state, accepted, control);
           }
         catch (const OutOfMemory &failure)
           {
@@ -75,8 +79,6 @@ namespace NPT
             log_.cut(name, load_factor, failure.what(), control.step());
             continue;
           }
-        State accepted =
-          problem.accept(state, step->increment(), step->trial());
         control.accept(report.newton.iterations);
         visitor({state,
                  accepted,
@@ -97,7 +99,6 @@ namespace NPT
 
   LoadStepReport
   LoadStepper::solve(LoadStep                   &step,
-                     const EquilibriumProblem   &problem,
                      const State                &state,
                      const std::optional<State> &previous) const
   {
@@ -108,8 +109,29 @@ namespace NPT
                          (state.load_factor - previous->load_factor));
     if (!extrapolated)
       step.follow_tangent();
-    const LoadStepReport report = step.solve(newton_, augmentation_);
-    problem.check(step.trial());
-    return report;
+    return step.solve(newton_, augmentation_);
+  }
+
+
+
+  void
+  LoadStepper::check(const EquilibriumProblem &problem,
+                     const State              &before,
+                     const State              &after,
+                     const StepControl        &control) const
+  {
+    try
+      {
+        problem.check(before, after);
+      }
+    catch (const BranchLeft &jump)
+      {
+        if (!control.is_shortest())
+          throw;
+        log_.warning("At load factor " + short_number(after.load_factor) +
+                     " a " + jump.what() +
+                     ", and the step cannot be cut any more. What follows "
+                     "belongs to the new branch.");
+      }
   }
 } // namespace NPT

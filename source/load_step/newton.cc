@@ -19,7 +19,8 @@ namespace NPT
     constexpr double sufficient_decrease = 1e-4; // of the line search
     constexpr double divergence_factor   = 1e8;  // of the force scale
     constexpr double round_off_factor    = 1e-13;
-    constexpr double same_norm           = 1e-6; // relative, for cycles
+    constexpr double smallest_force      = 1e-14; // of the force unit
+    constexpr double same_norm           = 1e-6;  // relative, for cycles
 
     /// Do the last norms repeat with this period? Asks for two full periods,
     /// of a constant for four equal norms.
@@ -57,8 +58,9 @@ namespace NPT
     add_parameter(prm,
                   "Absolute tolerance",
                   absolute_tolerance,
-                  "Residual norm that always counts as converged [N]: "
-                  "the floor for states in which all forces vanish.",
+                  "Residual norm that always counts as converged [N], in "
+                  "addition to the round-off of states in which all forces "
+                  "vanish: 1e-14 of the bodies' stiffness times size^2.",
                   Patterns::Double(0));
     add_parameter(prm,
                   "Maximum iterations",
@@ -152,8 +154,9 @@ namespace NPT
       double
       tolerance() const
       {
-        return std::max(parameters_.relative_tolerance * report_.force_scale,
-                        parameters_.absolute_tolerance);
+        return std::max({parameters_.relative_tolerance * report_.force_scale,
+                         parameters_.absolute_tolerance,
+                         smallest_force * problem_.force_unit});
       }
 
       // Norm of the present residual.
@@ -166,7 +169,9 @@ namespace NPT
         double sum = 0;
         for (const double component : r_)
           sum += std::abs(component);
-        return std::isfinite(sum) && r_.size() > 0 ? r_.l2_norm() : sum;
+        if (!std::isfinite(sum) || r_.size() == 0)
+          return sum;
+        return problem_.norm ? problem_.norm(r_) : r_.l2_norm();
       }
 
       double

@@ -177,6 +177,14 @@ namespace NPT
 
 
   bool
+  StepControl::is_shortest() const
+  {
+    return trial_level() == 0;
+  }
+
+
+
+  bool
   StepControl::finished() const
   {
     return position == n_ticks;

@@ -377,6 +377,66 @@ namespace NPT
 
 
 
+  namespace
+  {
+    // Whether a symmetric 9 x 9 matrix is positive definite, by Cholesky's
+    // factorization; only the lower triangle is read.
+    bool
+    is_positive_definite(double *B)
+    {
+      constexpr int n = 9;
+      for (int j = 0; j < n; ++j)
+        {
+          double pivot = B[j * n + j];
+          for (int k = 0; k < j; ++k)
+            pivot -= B[j * n + k] * B[j * n + k];
+          if (!(pivot > 0.))
+            return false;
+          const double factor = 1. / std::sqrt(pivot);
+          for (int i = j + 1; i < n; ++i)
+            {
+              double sum = B[i * n + j];
+              for (int k = 0; k < j; ++k)
+                sum -= B[i * n + k] * B[j * n + k];
+              B[i * n + j] = sum * factor;
+            }
+        }
+      return true;
+    }
+  } // namespace
+
+
+
+  bool
+  is_surely_elliptic(const double *A,
+                     const double *F,
+                     const double  shear_modulus)
+  {
+    // At rest tau between 0 and 2 G does; the order is that of success.
+    static constexpr double factors[] = {1., 0.5, 1.5, 0.75, 0.25, 2.};
+    // Even and odd permutations: d2J/dF2_iJkL = e_ikm e_JLM F_mM.
+    static constexpr int permutations[6][3] = {
+      {0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    for (const double factor : factors)
+      {
+        double B[81];
+        std::copy(A, A + 81, B);
+        for (int p = 0; p < 6; ++p)
+          for (int q = 0; q < 6; ++q)
+            {
+              const int(&i)[3] = permutations[p], (&J)[3] = permutations[q];
+              const double sign = (p < 3) == (q < 3) ? 1. : -1.;
+              B[(3 * i[0] + J[0]) * 9 + 3 * i[1] + J[1]] +=
+                sign * factor * shear_modulus * F[3 * i[2] + J[2]];
+            }
+        if (is_positive_definite(B))
+          return true;
+      }
+    return false;
+  }
+
+
+
   template LowestAcousticEigenvalue<2>
   lowest_acoustic_eigenvalue<2>(const double *);
   template LowestAcousticEigenvalue<3>

@@ -5,6 +5,7 @@
 #include <npt_dealii/iga/iga_values.h>
 #include <npt_dealii/solid/deformable_bodies.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -64,6 +65,25 @@ namespace NPT
                             1);
         gradients_.push_back(std::move(cell));
       }
+    look_at_rest();
+  }
+
+
+
+  void
+  DeformableBodies::look_at_rest()
+  {
+    double stiffest = 0, volume = 0;
+    for (const auto &law : laws_)
+      {
+        const dealii::FullMatrix<double> C = law->small_strain_stiffness();
+        shear_moduli_.push_back(std::min(C(3, 3), std::min(C(4, 4), C(5, 5))));
+        stiffest = std::max(stiffest, C.linfty_norm());
+      }
+    for (const CellGradients &cell : gradients_)
+      for (const double jxw : cell.jxw)
+        volume += jxw;
+    force_unit_ = stiffest * std::pow(volume, 2. / 3.);
   }
 
 
@@ -183,35 +203,79 @@ namespace NPT
 
 
   void
+  DeformableBodies::for_each_gradient(const Vector<double> &u,
+                                      const PointVisitor   &visit) const
+  {
+    std::vector<double> w;
+    double              F[9];
+    for (unsigned int c = 0; c < gradients_.size(); ++c)
+      {
+        if (symmetry_weight_[c] == 0)
+          continue;
+        cell_displacement(c, u, w);
+        for (unsigned int q = 0; q < gradients_[c].n_points; ++q)
+          {
+            SolidKernel::deformation_gradient(gradients_[c], w, q, F);
+            visit(c, q, F);
+          }
+      }
+  }
+
+
+
+  void
   DeformableBodies::for_each_point(
     const Vector<double>                             &u,
     const std::function<void(const MaterialPoint &)> &visit) const
   {
-    std::vector<double> w;
-    double              F[9], P[9];
-    MaterialPoint       point;
-    for (const auto &span : space_->triangulation().active_cell_iterators())
-      {
-        const unsigned int c = span->active_cell_index();
-        if (symmetry_weight_[c] == 0)
-          continue;
-        const CellGradients &cell = gradients_[c];
-        cell_displacement(c, u, w);
+    for_each_gradient(
+      u, [&](const unsigned int c, const unsigned int q, const double *F) {
+        double        P[9];
+        MaterialPoint point;
+        laws_[space_->cells()[c].patch]->stress(F, P);
         point.cell = c;
-        for (unsigned int q = 0; q < cell.n_points; ++q)
+        point.q    = q;
+        point.dV   = symmetry_weight_[c] * gradients_[c].jxw[q];
+        for (unsigned int e = 0; e < 9; ++e)
           {
-            SolidKernel::deformation_gradient(cell, w, q, F);
-            laws_[span->material_id()]->stress(F, P);
-            point.q  = q;
-            point.dV = symmetry_weight_[c] * cell.jxw[q];
-            for (unsigned int e = 0; e < 9; ++e)
-              {
-                point.F[e / 3][e % 3] = F[e];
-                point.P[e / 3][e % 3] = P[e];
-              }
-            visit(point);
+            point.F[e / 3][e % 3] = F[e];
+            point.P[e / 3][e % 3] = P[e];
           }
-      }
+        visit(point);
+      });
+  }
+
+
+
+  DeformableBodies::Ellipticity
+  DeformableBodies::search_ellipticity(const Vector<double> &u,
+                                       const bool            losses_only) const
+  {
+    Ellipticity  result;
+    unsigned int cell = 0, q = 0;
+    result.lowest.value = std::numeric_limits<double>::max();
+    for_each_gradient(
+      u, [&](const unsigned int c, const unsigned int point, const double *F) {
+        const unsigned int patch = space_->cells()[c].patch;
+        double             P[9], A[81];
+        laws_[patch]->stress_and_tangent(F, P, A);
+        if (losses_only && is_surely_elliptic(A, F, shear_moduli_[patch]))
+          return;
+        const auto lowest = NPT::lowest_acoustic_eigenvalue<3>(A);
+        if (lowest.value < result.lowest.value)
+          {
+            result.lowest = lowest;
+            result.patch  = patch;
+            cell          = c;
+            q             = point;
+          }
+      });
+    const auto           A         = space_->control_points_of_cell(cell);
+    const CellGradients &gradients = gradients_[cell];
+    for (unsigned int a = 0; a < gradients.n_functions; ++a)
+      result.position += gradients.values[q * gradients.n_functions + a] *
+                         space_->control_points()[A[a]];
+    return result;
   }
 
 
@@ -219,27 +283,18 @@ namespace NPT
   DeformableBodies::Ellipticity
   DeformableBodies::lowest_acoustic_eigenvalue(const Vector<double> &u) const
   {
-    Ellipticity  result;
-    unsigned int cell = 0, q = 0;
-    result.lowest.value = std::numeric_limits<double>::max();
-    for_each_point(u, [&](const MaterialPoint &point) {
-      const unsigned int patch = space_->cells()[point.cell].patch;
-      const auto         lowest =
-        NPT::lowest_acoustic_eigenvalue<3>(*laws_[patch], point.F);
-      if (lowest.value < result.lowest.value)
-        {
-          result.lowest = lowest;
-          result.patch  = patch;
-          cell          = point.cell;
-          q             = point.q;
-        }
-    });
-    const auto           A         = space_->control_points_of_cell(cell);
-    const CellGradients &gradients = gradients_[cell];
-    for (unsigned int a = 0; a < gradients.n_functions; ++a)
-      result.position += gradients.values[q * gradients.n_functions + a] *
-                         space_->control_points()[A[a]];
-    return result;
+    return search_ellipticity(u, false);
+  }
+
+
+
+  std::optional<DeformableBodies::Ellipticity>
+  DeformableBodies::loss_of_ellipticity(const Vector<double> &u) const
+  {
+    const Ellipticity found = search_ellipticity(u, true);
+    if (found.lowest.value > 0.)
+      return {};
+    return found;
   }
 
 

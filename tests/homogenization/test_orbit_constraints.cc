@@ -46,7 +46,7 @@ namespace
                  const unsigned int           n_macro,
                  const std::vector<Relation> &relations)
   {
-    OrbitConstraints orbits(n, n_macro);
+    OrbitConstraints orbits(n, OrbitConstraints::Affine(n_macro, 1.));
     for (const Relation &r : relations)
       orbits.relate(r.i, r.sign, r.j, r.affine, "test");
     AffineConstraints<double> constraints;
@@ -133,7 +133,7 @@ TEST_CASE("An orbit that closes with reversed sign is fixed by the macro "
   {
     CHECK(check_all_hold(1, 1, {{0, -1., 0, {4.}}}) == 0);
 
-    OrbitConstraints orbits(1, 1);
+    OrbitConstraints orbits(1, {1.});
     orbits.relate(0, -1., 0, {4.}, "2-fold axis");
     AffineConstraints<double> constraints;
     orbits.write(constraints);
@@ -174,7 +174,7 @@ TEST_CASE("A contradiction is named with the macro unknown it would prescribe",
   SECTION("a cycle that does not close")
   {
     // Bending under the glide plane: w(+) = w(-) + H and w(+) = w(-) - H.
-    OrbitConstraints orbits(2, 6);
+    OrbitConstraints orbits(2, OrbitConstraints::Affine(6, 1.));
     orbits.relate(1, 1., 0, {0, 0, 0, 2.5, 0, 0}, "translation");
     CHECK(contradiction(orbits, {1, 1., 0, {0, 0, 0, -2.5, 0, 0}}) ==
           "The coupling 'glide plane' contradicts the others: it would "
@@ -182,7 +182,7 @@ TEST_CASE("A contradiction is named with the macro unknown it would prescribe",
   }
   SECTION("a point with two values")
   {
-    OrbitConstraints orbits(1, 1);
+    OrbitConstraints orbits(1, {1.});
     orbits.relate(0, -1., 0, {2.}, "2-fold axis");
     CHECK(contradiction(orbits, {0, -1., 0, {2.}}) == "no contradiction");
     CHECK(contradiction(orbits, {0, -1., 0, {3.}}) ==
@@ -191,7 +191,7 @@ TEST_CASE("A contradiction is named with the macro unknown it would prescribe",
   }
   SECTION("two fixed orbits that disagree")
   {
-    OrbitConstraints orbits(2, 1);
+    OrbitConstraints orbits(2, {1.});
     orbits.relate(0, -1., 0, {2.}, "2-fold axis");
     orbits.relate(1, -1., 1, {4.}, "2-fold axis");
     CHECK(contradiction(orbits, {1, 1., 0, {7.}}) ==
@@ -253,7 +253,7 @@ TEST_CASE("A combination holds for every member of its orbit",
   // 4 = -0 + M. The condition of one end is the image of that of the other.
   for (const unsigned int first : {0, 1})
     {
-      OrbitConstraints orbits(5, 1);
+      OrbitConstraints orbits(5, {1.});
       orbits.relate(4, -1., 0, {1.}, "glide plane");
       const auto tell = [&](const unsigned int end) {
         if (end == 0) // x_0 = (x_1 + (-x_3 + M)) / 2
@@ -281,7 +281,7 @@ TEST_CASE("Combinations follow each other into a corner, and either way around "
           "[homogenization]")
 {
   // 0 is the corner of a cell, 1 and 2 lie on its edges, 3 and 4 inside.
-  OrbitConstraints orbits(5, 2);
+  OrbitConstraints orbits(5, {1., 1.});
   orbits.combine(0, {{0.5, 1}, {0.5, 2}}, {1., 0.}, "edge");
   orbits.combine(1, {{0.25, 3}, {0.75, 4}}, {0., 2.}, "inside");
   orbits.combine(2, {{1., 3}}, {0., 0.}, "inside");
@@ -314,7 +314,7 @@ TEST_CASE("A combination that contradicts the rest is named",
   };
   SECTION("a fixed unknown would restrict its neighbors")
   {
-    OrbitConstraints orbits(2, 1);
+    OrbitConstraints orbits(2, {1.});
     orbits.relate(0, -1., 0, {2.}, "pin");
     orbits.combine(0, {{1., 1}}, {0.}, "seam");
     CHECK(message(orbits) ==
@@ -323,7 +323,7 @@ TEST_CASE("A combination that contradicts the rest is named",
   }
   SECTION("a fixed unknown has another value")
   {
-    OrbitConstraints orbits(2, 1);
+    OrbitConstraints orbits(2, {1.});
     orbits.relate(0, -1., 0, {2.}, "pin");
     orbits.relate(1, -1., 1, {4.}, "pin");
     orbits.combine(0, {{1., 1}}, {0.}, "seam");
@@ -333,7 +333,7 @@ TEST_CASE("A combination that contradicts the rest is named",
   }
   SECTION("a circle")
   {
-    OrbitConstraints orbits(3, 1);
+    OrbitConstraints orbits(3, {1.});
     orbits.relate(2, 1., 0, {2.}, "translation");
     orbits.combine(0, {{0.5, 1}, {0.5, 1}}, {0.}, "seam");
     orbits.combine(1, {{1., 2}}, {0.}, "seam");

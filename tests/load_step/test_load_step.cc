@@ -94,7 +94,7 @@ namespace
     }
 
     void
-    check(const Trial &) const override
+    check(const State &, const State &) const override
     {
       if (too_long)
         throw EllipticityLost("the step is longer than it may be");

@@ -110,11 +110,26 @@ TEST_CASE("A start that is a solution needs no tangent", "[solver]")
   CHECK(report.iterations == 0);
   CHECK(std::isnan(report.order()));
 
-  SECTION("The absolute tolerance holds where all forces vanish")
+  problem.force_scale = []() { return 0.; };
+  SECTION("Where all forces vanish, round-off of the force unit is enough")
   {
-    problem.force_scale = []() { return 0.; };
-    x                   = start(1e-11);
+    problem.force_unit = 1e4;
+    x                  = start(0.9e-10);
     CHECK(solve_newton({}, problem, x).converged);
+  }
+  SECTION("Where all forces vanish, the absolute tolerance is enough")
+  {
+    NewtonParameters parameters;
+    parameters.absolute_tolerance = 1e-10;
+    x                             = start(0.9e-10);
+    CHECK(solve_newton(parameters, problem, x).converged);
+  }
+  SECTION("The norm is the one of the problem")
+  {
+    problem.norm       = [](const Vector<double> &) { return 1e-11; };
+    problem.force_unit = 1e4;
+    x                  = start(1.);
+    CHECK(solve_newton({}, problem, x).iterations == 0);
   }
 }
 
@@ -275,7 +290,7 @@ TEST_CASE("Newton parameters are read from their subsection", "[solver]")
   CHECK_FALSE(parameters.line_search);
   CHECK(parameters.nonmonotone_memory == 1);
   CHECK(parameters.relative_tolerance == 1e-7);
-  CHECK(parameters.absolute_tolerance == 1e-10);
+  CHECK(parameters.absolute_tolerance == 0.);
   CHECK(parameters.max_iterations == 25);
   CHECK(parameters.max_halvings == 8);
 }

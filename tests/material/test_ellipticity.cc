@@ -275,6 +275,37 @@ TEST_CASE("Splitting along the fiber has the acoustic form mu - (a + 2 d lnJ) "
 
 
 
+TEST_CASE(
+  "What is surely elliptic is elliptic by the search, and of the states "
+  "near rest nearly all are",
+  "[material]")
+{
+  std::mt19937                     generator(3);
+  const FiberBundleConstants       table_1;
+  const FiberBundleLaw<3>          bundle(table_1, first_axis<3>());
+  std::normal_distribution<double> normal;
+  for (const double size : {0.02, 0.1, 0.2})
+    {
+      unsigned int n_elliptic = 0, n_sure = 0;
+      for (unsigned int n = 0; n < 300; ++n)
+        {
+          double F[9], P[9], A[81];
+          for (unsigned int e = 0; e < 9; ++e)
+            F[e] = (e % 4 == 0 ? 1. : 0.) + size * normal(generator);
+          bundle.stress_and_tangent(F, P, A);
+          const bool sure     = is_surely_elliptic(A, F, table_1.mu);
+          const bool elliptic = lowest_acoustic_eigenvalue<3>(A).value > 0.;
+          CHECK((elliptic || !sure));
+          n_elliptic += elliptic;
+          n_sure += sure;
+        }
+      CHECK(n_sure >= (size < 0.05 ? 0.99 : 0.6) * n_elliptic);
+      CHECK(n_elliptic < (size > 0.15 ? 200 : 301));
+    }
+}
+
+
+
 TEST_CASE("A search for loss of ellipticity costs less than a millisecond",
           "[.benchmark][material]")
 {

@@ -33,15 +33,16 @@ namespace NPT
     std::string normal_law = "penalty";
     /// Numbers of all normal laws by entry, see NamedNormalLaw::numbers.
     OwnValues    normal_law_numbers;
-    double       normal_penalty        = 100.; ///< epsilon_N [N/mm^3]
-    unsigned int n_quadrature_points   = 0;    ///< 0: degree + 1
-    double       maximum_penetration   = 0.5;  ///< fraction of thickness
-    double       maximum_overlap       = 0.2;  ///< fraction of thickness
-    double       edge_radius           = 0.25; ///< fraction of thickness
-    double       kink_rounding         = 0.1;  ///< fraction of a span
-    Enforcement  enforcement           = Enforcement::penalty;
-    double       penetration_tolerance = 2e-5; ///< augmented Lagrangian [mm]
-    double       stick_tolerance       = 2e-5; ///< augmented Lagrangian [mm]
+    double       normal_penalty      = 100.; ///< epsilon_N [N/mm^3]
+    unsigned int n_quadrature_points = 0;    ///< 0: degree + 1
+    double       maximum_penetration = 0.5;  ///< fraction of thickness
+    double       maximum_overlap     = 0.2;  ///< fraction of thickness
+    double       edge_radius         = 0.25; ///< fraction of thickness
+    double       kink_rounding       = 0.1;  ///< fraction of a span
+    Enforcement  enforcement         = Enforcement::penalty;
+    /// Of the augmented Lagrangian [mm]; 0: what set_thickness() says.
+    double       penetration_tolerance = 0.;
+    double       stick_tolerance       = 0.;
     unsigned int max_augmentations     = 50;
 
     bool
@@ -49,6 +50,15 @@ namespace NPT
     {
       return enforcement == Enforcement::augmented_lagrangian;
     }
+
+    /// Put default_tolerance times the thickness [mm] of the bodies where a
+    /// tolerance is 0.
+    void
+    set_thickness(const double thickness);
+
+    /// Of the augmented Lagrangian, fraction of the thickness; 2e-5 mm in the
+    /// default cell.
+    static constexpr double default_tolerance = 2e-5 / 1.2;
 
     /// Bind the members to the entries of the subsection.
     void

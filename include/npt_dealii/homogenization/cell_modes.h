@@ -48,6 +48,16 @@ namespace NPT
   std::string
   obstacle(const FabricCell &cell, const unsigned int n);
 
+  /// A length of the order of the thickness [mm]: 1 mm in the default cell.
+  double
+  length_unit(const CellParameters &cell);
+
+  /// What the displacements of one unit of H_n are measured by in tolerances
+  /// and norms: the length unit [mm] for a gradient, its square [mm^2] for a
+  /// curvature.
+  double
+  displacement_unit(const CellParameters &cell, const unsigned int n);
+
   /// The smallest cell type that represents the given modes, and a clause that
   /// says why: "because ...".
   std::pair<std::string, std::string>

@@ -36,8 +36,11 @@ namespace NPT
     /**
      * @param n_unknowns Unknowns 0 .. n_unknowns-1 may be related; the macro
      *   unknowns follow them directly.
+     * @param unit Of the coefficients of each macro unknown, in their
+     *   dimension: contradictions and round-off are told by 1e-9 and 1e-14 of
+     *   it.
      */
-    OrbitConstraints(const unsigned int n_unknowns, const unsigned int n_macro);
+    OrbitConstraints(const unsigned int n_unknowns, const Affine &unit);
 
     /**
      * Add x_i = sign * x_j + affine.
@@ -126,6 +129,7 @@ namespace NPT
     right_side(const Combination &combination, Reduction &reduction) const;
 
     const unsigned int                  n_macro_;
+    const Affine                        unit_;
     mutable std::vector<Representation> parent_;
     std::vector<bool>                   fixed_;
     std::vector<Affine>                 value_;

@@ -60,13 +60,32 @@ namespace NPT
                 const Trial       &trial,
                 ConstrainedSystem &system) const = 0;
 
+    /// Stiffness times size^2 of the bodies [N]: a residual that is round-off
+    /// of this counts as converged. 0: there is no such floor.
+    virtual double
+    force_unit() const;
+
+    /**
+     * What the residual of an unknown of u is divided by in its norm, so that
+     * all components have the unit N: 1 for displacements, a length for a
+     * gradient [-], its square for a curvature [1/mm].
+     */
+    virtual double
+    lever_arm(const unsigned int unknown) const;
+
     /// Groups of unknowns that contact couples or is about to couple.
     virtual std::vector<std::vector<unsigned int>>
     couplings(const Increment &increment, const Trial &trial) const;
 
-    /// Look at a converged trial; throws a LoadStepFailure to refuse it.
+    /**
+     * Look at a converged step before it is accepted; throws a LoadStepFailure
+     * to refuse it. A BranchLeft is only a doubt: if the step cannot be cut any
+     * more, it is accepted with a warning.
+     *
+     * @param after What accept() made of the step.
+     */
     virtual void
-    check(const Trial &trial) const;
+    check(const State &before, const State &after) const;
 
     /// The state after an accepted step.
     virtual State

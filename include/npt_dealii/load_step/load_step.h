@@ -14,6 +14,8 @@
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/vector.h>
 
+#include <vector>
+
 namespace NPT
 {
   /// What solving a load step took.
@@ -111,6 +113,8 @@ namespace NPT
   private:
     NewtonProblem
     equations();
+    double
+    norm(const dealii::Vector<double> &r) const;
     void
     pick_free(const dealii::Vector<double> &m, dealii::Vector<double> &x) const;
     void
@@ -129,6 +133,7 @@ namespace NPT
     LinearSolver             &linear_solver_;
     dealii::TimerOutput      *timer_;
 
+    std::vector<double>    lever_arms_; // of the free unknowns
     dealii::Vector<double> m_accepted_, m_;
     Trial                  trial_;
     dealii::Vector<double> x_; // predicted

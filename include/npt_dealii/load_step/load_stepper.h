@@ -82,9 +82,13 @@ namespace NPT
         const Visitor            &visitor);
 
   private:
+    void
+    check(const EquilibriumProblem &problem,
+          const State              &before,
+          const State              &after,
+          const StepControl        &control) const;
     LoadStepReport
     solve(LoadStep                   &step,
-          const EquilibriumProblem   &problem,
           const State                &state,
           const std::optional<State> &previous) const;
 

@@ -17,8 +17,8 @@ namespace NPT
   /// Subsection "Newton".
   struct NewtonParameters
   {
-    double       relative_tolerance = 1e-7;  ///< of the force scale [-]
-    double       absolute_tolerance = 1e-10; ///< [N]
+    double       relative_tolerance = 1e-7; ///< of the force scale [-]
+    double       absolute_tolerance = 0;    ///< [N]
     unsigned int max_iterations     = 25;
     bool         line_search        = true;
     unsigned int max_halvings       = 8;
@@ -29,8 +29,8 @@ namespace NPT
     add_parameters(dealii::ParameterHandler &prm);
   };
 
-  /// What solve_newton() asks of a problem r(x) = 0. All but state_summary
-  /// are required.
+  /// What solve_newton() asks of a problem r(x) = 0. All functions that are
+  /// not said to be optional are required.
   struct NewtonProblem
   {
     /// Evaluate r(x). May throw a LoadStepFailure (inverted cell, lost
@@ -52,6 +52,14 @@ namespace NPT
     /// The forces that the residual is small against [N], at the last
     /// residual(): e.g. the norm of the internal forces before they cancel.
     std::function<double()> force_scale;
+
+    /// A residual below 1e-14 of this force is round-off and counts as
+    /// converged [N], e.g. stiffness times size^2.
+    double force_unit = 0;
+
+    /// Optional: the norm of a residual [N] where its components do not all
+    /// have the unit N; else the Euclidean norm.
+    std::function<double(const dealii::Vector<double> &residual)> norm;
 
     /// Optional: a few words on the state at the last residual(), e.g. the
     /// numbers of open, sticking and slipping points.
@@ -84,8 +92,8 @@ namespace NPT
    * Solve r(x) = 0 from the given x by Newton's method.
    *
    * Converged if |r| <= max(relative_tolerance * force_scale,
-   * absolute_tolerance), tested before the first correction too. The absolute
-   * tolerance is the floor for states in which all forces vanish.
+   * absolute_tolerance, 1e-14 * force_unit), tested before the first correction
+   * too. The last is the floor for states in which all forces vanish.
    *
    * Line search: the correction dx is halved until
    * @f[ \|r(x + \alpha dx)\| \le (1 - 10^{-4} \alpha)

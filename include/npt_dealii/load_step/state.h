@@ -8,6 +8,7 @@
 #include <npt_dealii/contact/contact_evaluation.h>
 #include <npt_dealii/contact/contact_state.h>
 #include <npt_dealii/contact/contact_step.h>
+#include <npt_dealii/load_step/energy_balance.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -34,6 +35,8 @@ namespace NPT
     /// Of every contact pair: friction tractions, closest points, multipliers,
     /// grown penalties.
     std::vector<ContactState<3>> contact;
+    /// What the balance of energy compares.
+    Energies energies;
   };
 
   /**

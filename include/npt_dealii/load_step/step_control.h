@@ -76,6 +76,10 @@ namespace NPT
     [[noreturn]] void
     reject_for_good(const LoadStepFailure &failure);
 
+    /// Whether the next step cannot be cut.
+    bool
+    is_shortest() const;
+
     bool
     finished() const;
 

@@ -55,6 +55,27 @@ namespace NPT
   LowestAcousticEigenvalue<dim>
   lowest_acoustic_eigenvalue(const HyperelasticLaw<dim>   &law,
                              const dealii::Tensor<2, dim> &F);
+
+  /**
+   * A sufficient condition for ellipticity that costs as much as a few
+   * tangents: whether for one of some numbers tau the quadratic form
+   *
+   * @f[ H : A : H + \tau \, \frac{\partial^2 J}{\partial F^2}[H, H] > 0,
+   *     \qquad H \ne 0 . @f]
+   *
+   * The second term is zero for H = m (x) N, so the form is a(m, N) there. For
+   * a neo-Hookean law one tau always fits.
+   *
+   * @param A Tangent at F, as above.
+   * @param F Deformation gradient, row-major.
+   * @param shear_modulus Of the law at rest, the unit of tau [MPa].
+   * @return True: strongly elliptic. False: lowest_acoustic_eigenvalue() must
+   *   tell.
+   */
+  bool
+  is_surely_elliptic(const double *A,
+                     const double *F,
+                     const double  shear_modulus);
 } // namespace NPT
 
 #endif

@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -143,6 +144,14 @@ namespace NPT
                 const CellGroups             &groups,
                 ConstrainedSystem            &system) const;
 
+    /// Stiffness at rest times size^2 [N], the unit of forces of these bodies:
+    /// what is 1e-14 of it is round-off.
+    double
+    force_unit() const
+    {
+      return force_unit_;
+    }
+
     /// Of the bodies, images included [N mm].
     double
     stored_energy(const dealii::Vector<double> &u) const;
@@ -191,11 +200,25 @@ namespace NPT
     /// default cell.
     Ellipticity
     lowest_acoustic_eigenvalue(const dealii::Vector<double> &u) const;
+    /// The same if there is a point without ellipticity, else nothing; some
+    /// microseconds per point, because most obey is_surely_elliptic().
+    std::optional<Ellipticity>
+    loss_of_ellipticity(const dealii::Vector<double> &u) const;
     /// "bundle 2 at (0.1, 0.2, 0.3): ..." for messages.
     std::string
     describe(const Ellipticity &ellipticity) const;
 
   private:
+    void
+    look_at_rest();
+    using PointVisitor = std::function<
+      void(const unsigned int cell, const unsigned int q, const double *F)>;
+    void
+    for_each_gradient(const dealii::Vector<double> &u,
+                      const PointVisitor           &visit) const;
+    Ellipticity
+    search_ellipticity(const dealii::Vector<double> &u,
+                       const bool                    losses_only) const;
     [[noreturn]] void
     report_inverted_cell(const unsigned int cell) const;
 
@@ -205,6 +228,8 @@ namespace NPT
     std::vector<CellGradients>                       gradients_;
     std::vector<unsigned int>                        symmetry_weight_;
     std::vector<std::vector<unsigned int>>           cell_unknowns_;
+    std::vector<double> shear_moduli_; // smallest at rest, by patch
+    double              force_unit_ = 0;
   };
 } // namespace NPT
 

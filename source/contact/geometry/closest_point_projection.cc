@@ -473,7 +473,7 @@ namespace NPT
 
       const Tensor<1, dim> n = unit_normal(surface_, c_.a);
       const double         r = c_.r.norm();
-      if (all_free || r < 1e-12)
+      if (all_free || r < 1e-12 * c_.a[0].norm())
         {
           c_.normal = n;
           c_.gap    = n * c_.r;

@@ -355,7 +355,7 @@ namespace NPT
     bool         all_free          = true;
     for (int a = 0; a < m; ++a)
       all_free = all_free && c_.free[a];
-    if (all_free || !(std::abs(r) > 1e-12))
+    if (all_free || !(std::abs(r) > 1e-12 * c_.a[0].norm()))
       return;
 
     std::vector<Tensor<1, dim>> basis = {c_.normal};

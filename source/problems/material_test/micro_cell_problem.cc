@@ -3,6 +3,8 @@
 
 #include <npt_dealii/problems/material_test/micro_cell_problem.h>
 
+#include <cmath>
+
 namespace NPT
 {
   namespace
@@ -85,6 +87,14 @@ namespace NPT
   {
     bodies_.add_tangent(trial.u, groups_, system);
     return true;
+  }
+
+
+
+  double
+  MicroCellProblem::lever_arm(const unsigned int unknown) const
+  {
+    return unknown < macro_.first ? 1. : std::cbrt(volume_);
   }
 
 

@@ -74,9 +74,11 @@ namespace NPT
       format("%5u %-10s %10.6f", row.step, row.stage.c_str(), row.load_factor);
     if (components_.empty())
       {
+        // By work: gradients [-] and curvatures [1/mm] are not comparable.
         unsigned int largest = 0;
         for (unsigned int i = 1; i < MacroModes::n; ++i)
-          if (std::abs(row.H[i]) > std::abs(row.H[largest]))
+          if (std::abs(row.n[i] * row.H[i]) >
+              std::abs(row.n[largest] * row.H[largest]))
             largest = i;
         text += format("  %s %10.3e",
                        MacroModes::table[largest].name,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sizes and pictures of a cell of straight bundles.
 
+#include <npt_dealii/homogenization/cell_modes.h>
 #include <npt_dealii/io/vtu_file.h>
 #include <npt_dealii/problems/plate_test/cell_preview.h>
 #include <npt_dealii/solid/solid_fields.h>
@@ -55,8 +56,9 @@ namespace NPT
             const Tensor<1, 3> &a      = image.operation.a;
             bool                is_new = a.norm() > 0;
             for (const auto &[bundle, shift] : known)
-              is_new =
-                is_new && (bundle != image.bundle || (shift - a).norm() > 1e-9);
+              is_new = is_new && (bundle != image.bundle ||
+                                  (shift - a).norm() >
+                                    1e-9 * length_unit(fabric.parameters()));
             if (!is_new)
               continue;
             known.emplace_back(image.bundle, a);

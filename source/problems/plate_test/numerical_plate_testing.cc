@@ -130,6 +130,49 @@ namespace NPT
     if (stage.type != LoadStage::Type::load && state_.load_factor == 1.)
       woven_ = cell_->woven_positions(state_.u); // weaving has ended here
     results_.add_step(*cell_, stage, step, woven_);
+    warn_of_ellipticity(stage, step);
+  }
+
+
+
+  /*
+   * Where the run does not stop at a loss of ellipticity: the first one of
+   * every stage is said.
+   */
+  void
+  NumericalPlateTesting::warn_of_ellipticity(const LoadStage    &stage,
+                                             const AcceptedStep &step)
+  {
+    if (parameters_.stability.stops_at_loss() || stage.name == not_elliptic_in_)
+      return;
+    TimerOutput::Scope timer(timer_, "Ellipticity");
+    auto               loss = cell_->bodies().loss_of_ellipticity(state_.u);
+    if (!loss)
+      return;
+    not_elliptic_in_ = stage.name;
+    // Where on the way between the two states it was, to 1/256 of the step.
+    double elliptic = 0, lost = 1;
+    while (lost - elliptic > 1. / 300.)
+      {
+        const double           middle = 0.5 * (elliptic + lost);
+        dealii::Vector<double> u(step.before.u);
+        u.sadd(1. - middle, middle, step.after.u);
+        if (const auto found = cell_->bodies().loss_of_ellipticity(u))
+          {
+            loss = found;
+            lost = middle;
+          }
+        else
+          elliptic = middle;
+      }
+    const double from = step.before.load_factor, to = step.after.load_factor;
+    log_.warning("Stage " + stage.name +
+                 ": the material loses its ellipticity at load factor " +
+                 short_number(from + lost * (to - from), 4) +
+                 " between the steps " + short_number(from) + " and " +
+                 short_number(to) + " (" + cell_->bodies().describe(*loss) +
+                 "). What follows depends on the mesh; On loss of ellipticity "
+                 "= stop ends the run here (subsection Stability).");
   }
 
 

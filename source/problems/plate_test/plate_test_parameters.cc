@@ -55,6 +55,18 @@ namespace NPT
 
 
 
+  template <>
+  const EnumNames<StabilityParameters::OnLoss> &
+  enum_names<StabilityParameters::OnLoss>()
+  {
+    using OnLoss                         = StabilityParameters::OnLoss;
+    static const EnumNames<OnLoss> names = {{OnLoss::stop, "stop"},
+                                            {OnLoss::warn, "warn"}};
+    return names;
+  }
+
+
+
   void
   StabilityParameters::add_parameters(dealii::ParameterHandler &prm)
   {
@@ -63,12 +75,27 @@ namespace NPT
       prm,
       "Check ellipticity",
       check_ellipticity,
-      "Search all quadrature points for the lowest eigenvalue of the "
-      "acoustic tensor after each load step. A step at which it is not "
-      "positive is refused and cut, so that the run ends at the loss of "
-      "ellipticity and names bundle, place and direction. Takes two to four "
-      "times the CPU time of a run without it. If a stage fails for another "
-      "reason, its last accepted state is checked in any case.");
+      "true: as On loss of ellipticity = stop. A loss is looked for in any "
+      "case.");
+    add_parameter(
+      prm,
+      "On loss of ellipticity",
+      on_loss,
+      "What to do where the lowest eigenvalue of the acoustic tensor is not "
+      "positive at some quadrature point after a load step. stop: the step is "
+      "refused and cut, so that the run ends at the loss and names bundle, "
+      "place and direction. warn: the same words are a warning, and the run "
+      "goes on; what follows depends on the mesh.");
+    add_parameter(
+      prm,
+      "Energy tolerance",
+      energy_tolerance,
+      "A stage is warned of whose work differs from the growth of the energies "
+      "plus the dissipation by more than this fraction [-]. A load step after "
+      "which more than this fraction of the energy content is missing, and "
+      "more than the length of the step explains, has jumped to another "
+      "branch: it is cut, and warned of if it cannot be cut any more.",
+      Patterns::Double(0.));
   }
 
 
@@ -220,6 +247,7 @@ namespace NPT
       cell.side_contact = neighbors_may_touch(*this) ?
                             CellParameters::SideContact::on :
                             CellParameters::SideContact::off;
+    contact.set_thickness(cell.bundle_thickness.smaller());
     check_modes(*this);
     check_smooth_closure(*this);
   }

@@ -99,6 +99,9 @@ namespace NPT
                              const AcceptedStep                  &step,
                              const std::vector<dealii::Point<3>> &woven)
   {
+    energy_balance_.add_step(stage.name,
+                             step.before.energies,
+                             step.after.energies);
     CurveRow         row      = make_row(cell, stage, step);
     const Resultants averages = cell.averages(step.after.u, woven);
     row.N                     = averages.N;
@@ -164,7 +167,7 @@ namespace NPT
         row.largest_penetration =
           std::max(row.largest_penetration, summary.largest_penetration);
       }
-    row.stored_energy     = cell.bodies().stored_energy(state.u);
+    row.stored_energy     = state.energies.stored;
     row.newton_iterations = step.report.newton.iterations;
     row.newton_order      = step.report.newton.order();
     row.cuts              = step.n_cuts;
@@ -338,6 +341,7 @@ namespace NPT
         if (!directory_.empty())
           write_hysteresis(directory_ + "/hysteresis.csv", *loop);
       }
+    report_energies();
     warn_of_penetration();
     if (directory_.empty())
       return;
@@ -355,6 +359,18 @@ namespace NPT
               " free unknowns, " +
               std::to_string(system.free_matrix().n_nonzeros()) + " nonzeros");
     timer_.print_summary();
+  }
+
+
+
+  void
+  PlateTestResults::report_energies()
+  {
+    for (const std::string &line : energy_balance_.table())
+      log_.line(line);
+    for (const std::string &warning :
+         energy_balance_.warnings(parameters_.stability.energy_tolerance))
+      log_.warning(warning);
   }
 
 

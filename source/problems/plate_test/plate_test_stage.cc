@@ -2,12 +2,15 @@
 // The equations of a stage of a plate test.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/homogenization/cell_modes.h>
+#include <npt_dealii/load_step/branch_left.h>
 #include <npt_dealii/problems/plate_test/cell_sizes.h>
 #include <npt_dealii/problems/plate_test/macro_limits.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
 
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 namespace NPT
 {
@@ -64,6 +67,7 @@ namespace NPT
     set_prescribed(system);
     make_foundation(stages);
     start_ = make_start(before, index > 0 && stages[index - 1].friction);
+    friction_let_go_ = before.energies.friction - start_.energies.friction;
   }
 
 
@@ -179,6 +183,12 @@ namespace NPT
         if (stage_.friction && !friction_was_on)
           start.contact[k] = pair.start_friction(start.contact[k], start.u);
       }
+    // Friction that is switched off lets go: its energy is lost.
+    if (!stage_.friction)
+      {
+        start.energies.dissipation += start.energies.friction;
+        start.energies.friction = 0;
+      }
     return start;
   }
 
@@ -236,6 +246,17 @@ namespace NPT
 
 
 
+  double
+  PlateTestStage::lever_arm(const unsigned int unknown) const
+  {
+    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
+      if (unknown == cell_.macro().mode(n))
+        return displacement_unit(parameters_.cell, n);
+    return 1.;
+  }
+
+
+
   std::vector<std::vector<unsigned int>>
   PlateTestStage::couplings(const Increment &increment,
                             const Trial     &trial) const
@@ -271,23 +292,35 @@ namespace NPT
 
 
   void
-  PlateTestStage::check(const Trial &trial) const
+  PlateTestStage::check(const State &before, const State &after) const
   {
     // Prescribed gradients were checked when the file was read; resultants
     // may lead anywhere.
     KnownGradients H;
     for (unsigned int n = 0; n < MacroModes::n; ++n)
-      H[n] = trial.u[cell_.macro().mode(n)];
+      H[n] = after.u[cell_.macro().mode(n)];
     const std::string obstacle =
       obstacle_of_gradients(H, 0.5 * layer_thickness(parameters_.cell));
     if (!obstacle.empty())
       throw CellCollapsed(obstacle);
-    if (!parameters_.stability.check_ellipticity)
+    const StabilityParameters &stability = parameters_.stability;
+    if (stability.stops_at_loss())
+      {
+        const auto scope = section(timer_, "Ellipticity");
+        if (const auto loss = cell_.bodies().loss_of_ellipticity(after.u))
+          throw EllipticityLost(cell_.bodies().describe(*loss));
+      }
+    const EnergyChange step(before.energies, after.energies);
+    if (!step.is_jump(stability.energy_tolerance))
       return;
-    const auto scope  = section(timer_, "Ellipticity");
-    const auto lowest = cell_.bodies().lowest_acoustic_eigenvalue(trial.u);
-    if (!(lowest.lowest.value > 0.))
-      throw EllipticityLost(cell_.bodies().describe(lowest));
+    std::ostringstream detail;
+    detail.precision(3);
+    detail << "its work " << step.work << " N mm, known up to "
+           << step.uncertainty << " N mm, and the growth of the energies "
+           << step.growth << " N mm plus the dissipation " << step.dissipation
+           << " N mm differ by more than the tolerance of the energy "
+           << step.content << " N mm";
+    throw BranchLeft(detail.str());
   }
 
 
@@ -306,6 +339,85 @@ namespace NPT
         trial.condensed[system_.independent_index(cell_.macro().mode(n))] /
           cell_.fabric().area() +
         (resultant_controlled_[n] ? increment.applied[n] : 0.));
+    state.reactions.push_back(
+      trial
+        .condensed[system_.independent_index(cell_.macro().weaving_offset())]);
+    add_energies(before, trial, state);
     return state;
+  }
+
+
+
+  void
+  PlateTestStage::add_energies(const State &before,
+                               const Trial &trial,
+                               State       &state) const
+  {
+    Energies &energies           = state.energies;
+    energies.work                = before.energies.work;
+    energies.work_uncertainty    = before.energies.work_uncertainty;
+    energies.release_uncertainty = before.energies.release_uncertainty;
+    energies.dissipation         = before.energies.dissipation;
+    energies.stored              = cell_.bodies().stored_energy(state.u);
+    for (unsigned int k = 0; k < contacts().size(); ++k)
+      {
+        const ContactSummary summary = contacts()[k]->summary(trial.contact[k]);
+        energies.contact += summary.energy;
+        energies.friction += summary.friction_energy;
+        energies.dissipation += summary.dissipation;
+      }
+    add_work(before, state);
+  }
+
+
+
+  // Of the forces on the macro unknowns, and of the release on the foundation,
+  // whose springs it weakens.
+  void
+  PlateTestStage::add_work(const State &before, State &state) const
+  {
+    Energies  &energies = state.energies;
+    const auto add      = [&](const double force_before,
+                         const double force_after,
+                         const double path) {
+      energies.work += 0.5 * (force_before + force_after) * path;
+      energies.work_uncertainty +=
+        0.5 * std::abs((force_after - force_before) * path);
+    };
+    for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
+      {
+        const unsigned int unknown = cell_.macro().first + k;
+        const double       area =
+          k < MacroUnknowns::n_modes ? cell_.fabric().area() : 1.;
+        add(area * before.reactions[k],
+            area * state.reactions[k],
+            state.u[unknown] - before.u[unknown]);
+      }
+    // What bodies lose while they relax after that is not known better.
+    if (before.load_factor == 0.)
+      energies.work_uncertainty += 2. * friction_let_go_;
+    if (foundation_.empty())
+      return;
+    const double share        = foundation_share(state.load_factor);
+    const double at_full      = foundation_energy(state.u);
+    const double share_before = foundation_share(before.load_factor);
+    energies.foundation       = share * at_full;
+    if (share != share_before)
+      {
+        const double work_before = energies.work_uncertainty;
+        add(foundation_energy(before.u), at_full, share - share_before);
+        energies.release_uncertainty += energies.work_uncertainty - work_before;
+      }
+  }
+
+
+
+  double
+  PlateTestStage::foundation_energy(const Vector<double> &u) const
+  {
+    double energy = 0;
+    for (unsigned int k = 0; k < foundation_.size(); ++k)
+      energy += 0.5 * foundation_[k] * u[k] * u[k];
+    return energy;
   }
 } // namespace NPT

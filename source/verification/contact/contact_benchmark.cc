@@ -76,8 +76,10 @@ namespace NPT
     StepParameters      steps;
     steps.initial_step = steps.maximum_step = 1. / stage.n_steps;
     steps.minimum_step                      = steps.initial_step / 256.;
+    ContactParameters augmentation          = parameters_.contact;
+    augmentation.set_thickness(model_.body_height);
     LoadStepper stepper(
-      parameters_.newton, parameters_.contact, system_, linear_solver_, log_);
+      parameters_.newton, augmentation, system_, linear_solver_, log_);
     stepper.run(problem,
                 problem.start(),
                 steps,

@@ -105,7 +105,7 @@ namespace NPT
     /// A smooth problem: two more digits cost less than one iteration, and the
     /// averages then agree with the reactions. Fibers of a few micrometers have
     /// small forces.
-    NewtonParameters         newton = {1e-10, 1e-18};
+    NewtonParameters         newton = {1e-10};
     LinearSolverParameters   linear_solver;
     bool                     identify = true;
     IdentificationParameters identification;

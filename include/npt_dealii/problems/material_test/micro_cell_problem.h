@@ -49,6 +49,14 @@ namespace NPT
     add_tangent(const Increment   &increment,
                 const Trial       &trial,
                 ConstrainedSystem &system) const override;
+    double
+    force_unit() const override
+    {
+      return bodies_.force_unit();
+    }
+    /// Edge of a cube of the cell's volume for the macroscopic gradients.
+    double
+    lever_arm(const unsigned int unknown) const override;
     State
     accept(const State     &before,
            const Increment &increment,

@@ -22,7 +22,7 @@ namespace NPT
 
     /**
      * Choose the modes whose gradients the table shows. Without a choice each
-     * line shows the gradient of largest magnitude.
+     * line shows the gradient that has the largest product with its conjugate.
      */
     void
     show_components(const std::vector<unsigned int> &components);

@@ -97,6 +97,8 @@ namespace NPT
     run_stage(const unsigned int index);
     void
     accept_step(const LoadStage &stage, const AcceptedStep &step);
+    void
+    warn_of_ellipticity(const LoadStage &stage, const AcceptedStep &step);
     /// Complete the results, and throw the failure of a stage again, with the
     /// state of the material and the advice for it.
     [[noreturn]] void
@@ -115,6 +117,7 @@ namespace NPT
     // The accepted state.
     State                         state_;
     std::vector<dealii::Point<3>> woven_;
+    std::string                   not_elliptic_in_; // last stage
   };
 } // namespace NPT
 

@@ -47,11 +47,30 @@ namespace NPT
   /// Subsection "Stability".
   struct StabilityParameters
   {
-    bool check_ellipticity = false;
+    /// What happens where a material has lost its ellipticity.
+    enum class OnLoss
+    {
+      stop, ///< the step is refused and cut; the run ends there
+      warn  ///< the run goes on
+    };
+
+    bool   check_ellipticity = false; ///< of older files: stop
+    OnLoss on_loss           = OnLoss::warn;
+    double energy_tolerance  = 0.05; ///< of balances [-]
+
+    bool
+    stops_at_loss() const
+    {
+      return check_ellipticity || on_loss == OnLoss::stop;
+    }
 
     void
     add_parameters(dealii::ParameterHandler &prm);
   };
+
+  template <>
+  const EnumNames<StabilityParameters::OnLoss> &
+  enum_names<StabilityParameters::OnLoss>();
 
   /**
    * Parameters of a numerical plate test. Origin stays visible:

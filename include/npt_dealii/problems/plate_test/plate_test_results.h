@@ -100,6 +100,8 @@ namespace NPT
     draw_cells();
     void
     warn_of_penetration();
+    void
+    report_energies();
     double
     cpu_seconds() const;
 
@@ -117,6 +119,7 @@ namespace NPT
     double                                      stages_done_ = 0;
     // Of the last accepted step, if its fields may still be wanted.
     std::vector<ContactEvaluation<3>> last_contact_;
+    EnergyBalance                     energy_balance_;
   };
 } // namespace NPT
 

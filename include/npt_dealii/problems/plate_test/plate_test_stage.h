@@ -64,13 +64,22 @@ namespace NPT
     std::vector<std::vector<unsigned int>>
     couplings(const Increment &increment, const Trial &trial) const override;
     /// Whether the gradients leave something of the cell; ellipticity at all
-    /// quadrature points, if asked for.
+    /// quadrature points, if asked for; the balance of energy.
     void
-    check(const Trial &trial) const override;
+    check(const State &before, const State &after) const override;
+    /// With reactions also of the weaving offset [N] behind n1..n6, and with
+    /// the energies.
     State
     accept(const State     &before,
            const Increment &increment,
            const Trial     &trial) const override;
+    double
+    force_unit() const override
+    {
+      return cell_.bodies().force_unit();
+    }
+    double
+    lever_arm(const unsigned int unknown) const override;
     const ContactPairs &
     contacts() const override
     {
@@ -93,6 +102,13 @@ namespace NPT
     make_foundation(const std::vector<LoadStage> &stages);
     State
     make_start(const State &before, const bool friction_was_on) const;
+    void
+    add_energies(const State &before, const Trial &trial, State &state) const;
+    void
+    add_work(const State &before, State &state) const;
+    // Of the foundation at full share [N mm].
+    double
+    foundation_energy(const dealii::Vector<double> &u) const;
     // What the release has left of the foundation.
     double
     foundation_share(const double load_factor) const;
@@ -108,7 +124,8 @@ namespace NPT
     std::array<double, MacroUnknowns::n_macro> from_{}, to_{};
     std::array<double, MacroUnknowns::n_modes> force_from_{}, force_to_{};
     std::array<bool, MacroUnknowns::n_modes>   resultant_controlled_{};
-    std::vector<double> foundation_; // per unknown; empty: none
+    std::vector<double> foundation_;          // per unknown; empty: none
+    double              friction_let_go_ = 0; // at the start [N mm]
     State               start_;
   };
 } // namespace NPT

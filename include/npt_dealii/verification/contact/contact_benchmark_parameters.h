@@ -90,7 +90,7 @@ namespace NPT
     FrictionParameters    friction;
     /// Errors of the formulation are to be seen, not those of the iteration;
     /// small bodies have small forces.
-    NewtonParameters        newton = {1e-9, 1e-20};
+    NewtonParameters        newton = {1e-9};
     LinearSolverParameters  linear_solver;
     ContactOutputParameters output;
     Tolerances              tolerances; ///< subsection "Tolerances"

@@ -53,6 +53,12 @@ namespace NPT
       return true;
     }
 
+    double
+    force_unit() const override
+    {
+      return body_.force_unit();
+    }
+
   private:
     const DeformableBodies             &body_;
     const DeformableBodies::CellGroups &groups_;

@@ -55,7 +55,7 @@ namespace NPT
     StepParameters        steps = {0.25, 1e-4, 0.25};
 
     MaterialParameters     material = MaterialParameters("neo-Hookean");
-    NewtonParameters       newton   = {1e-12, 1e-14};
+    NewtonParameters       newton   = {1e-12};
     LinearSolverParameters linear_solver;
 
     std::string directory = "output-benchmark";
