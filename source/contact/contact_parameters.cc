@@ -103,9 +103,9 @@ namespace NPT
       maximum_overlap,
       "Plate test: bundles that lie deeper in each other than this fraction of "
       "their thickness when a stage ends, wherever and whether contact is "
-      "posed there or not, end the run with exit status 1; a quarter of it "
-      "gives a warning [-].",
-      Patterns::Double(0.01, 0.5));
+      "posed there or not, end the run with exit status 1, or with a warning "
+      "if it is 1. A quarter of it gives a warning [-].",
+      Patterns::Double(0.01, 1.));
     add_parameter(
       prm,
       "Edge radius",

@@ -54,7 +54,10 @@ namespace NPT
         cell.fabric(), cell.bodies().space(), cell.macro(), state.u, woven);
       const double thickness = parameters.cell.bundle_thickness.smaller();
       const double allowed   = parameters.contact.maximum_overlap * thickness;
-      if (overlap.depth <= much * allowed)
+      // Where everything is allowed the usual limit tells what is much.
+      if (overlap.depth <=
+          much *
+            std::min(allowed, ContactParameters().maximum_overlap * thickness))
         return;
       const std::string what =
         "Bundles lie in each other by " + short_number(overlap.depth, 2) +
@@ -66,7 +69,7 @@ namespace NPT
         "a larger Normal penalty, Enforcement = augmented Lagrangian, a finer "
         "mesh if bundles are narrower than a few elements (or Method = KTS), "
         "Side contact = on if these are neighbors";
-      if (overlap.depth > allowed)
+      if (overlap.depth > allowed && parameters.contact.maximum_overlap < 1.)
         fail(what + ". That is more than Maximum overlap, " +
                short_number(parameters.contact.maximum_overlap) +
                " of the thickness (subsection Contact), and describes no "
