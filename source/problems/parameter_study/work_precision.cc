@@ -210,7 +210,7 @@ namespace NPT
     {
       std::string curve, setting, folder, remark;
       double      accuracy, error = not_a_number, end_error = not_a_number,
-                       cpu = not_a_number;
+                       cpu = not_a_number, reference_error = not_a_number;
     };
 
     // The reference must be clearly better than what it judges.
@@ -236,6 +236,8 @@ namespace NPT
       r.accuracy = accuracy;
       r.remark   = remark_on_reference(accuracy, group.reference_error);
       r.setting  = "none of the cases";
+
+      r.reference_error = group.reference_error;
       if (best >= 0)
         {
           r.setting   = points[best].setting;
@@ -274,6 +276,8 @@ namespace NPT
       r.accuracy = accuracy;
       r.setting  = "none of the cases";
       r.remark   = remark_on_reference(accuracy, uncertainty);
+
+      r.reference_error = uncertainty;
       for (const auto &[setting, sum] : sums)
         if (sum.n == n_groups && sum.error <= accuracy && !(r.cpu <= sum.cpu))
           {
@@ -388,12 +392,14 @@ namespace NPT
                            "cpu_seconds",
                            "error",
                            "end_error",
+                           "reference_error",
                            "case",
                            "setting",
                            "remark"},
                         {"The cheapest setting whose error is within the "
                              "accuracy; 'all': one setting for all curves, CPU "
-                             "seconds together, largest error."});
+                             "seconds together, largest error. Error of the "
+                             "reference: the difference of the two finest."});
       std::ofstream text(directory + "/recommended.txt");
       text << "Recommended settings: the cheapest within each accuracy "
               "(relative L2 error of the curve).\n\n";
@@ -409,6 +415,7 @@ namespace NPT
                          r.cpu,
                          r.error,
                          r.end_error,
+                         r.reference_error,
                          r.folder,
                          r.setting,
                          r.remark});

@@ -155,6 +155,8 @@ TEST_CASE("Settings are recommended per curve and for all curves together",
                                  "none of the cases"});
   CHECK(table.column("cpu_seconds")[2] == 11.);
   CHECK(table.column("error")[2] == 0.002);
+  CHECK(table.column("reference_error") ==
+        std::vector<double>{1e-5, 0.008, 0.008, 1e-5, 0.008, 0.008});
   // A reference no better than the accuracy is named.
   CHECK(table.text_column("remark")[0].empty());
   CHECK(table.text_column("remark")[1] ==
