@@ -50,6 +50,36 @@ function per_cent(value, n)
   return sprintf("%." n "g %%", 100 * value)
 }
 
+# The settings of a work-precision study in few words: of "Degree 2, Basis
+# NURBS, Elements along 5, Method mortar, Enforcement penalty, Normal penalty
+# 100, Initial step 0.1" remains "NURBS, mortar, penalty 100, 5 x 5". Steps of
+# 10 % are those of all cases but a few.
+function short_setting(text,    n, item, i, result, basis, mesh, steps, degree)
+{
+  n = split(text, item, ", ")
+  for (i = 1; i <= n; ++i) {
+    sub(/^(Basis|Method|Enforcement) /, "", item[i])
+    if (item[i] ~ /^Degree /)
+      degree = substr(item[i], 8) == 2 ? "" : " p = " substr(item[i], 8)
+    else if (item[i] ~ /^Elements along /)
+      mesh = ", " substr(item[i], 16) " x " substr(item[i], 16)
+    else if (item[i] ~ /^Initial step /)
+      steps = substr(item[i], 14) == 0.1 ? "" : \
+        ", steps of " 100 * substr(item[i], 14) " %"
+    else if (item[i] ~ /^Normal penalty /) {
+      # The augmented Lagrangian has a penalty too, of little influence.
+      if (result !~ /augmented Lagrangian/) {
+        sub(/, penalty$/, "", result)
+        result = result ", " substr(item[i], 8)
+      }
+    } else
+      result = result (i > 1 && result != "" ? ", " : "") item[i]
+  }
+  sub(/NURBS|Bernstein|Lagrange/, "&" degree, result)
+  sub(/Bernstein/, "Bernstein (C0)", result)
+  return result steps mesh
+}
+
 # The two lines of a header, and a line of cells value[prefix ITEM] for each
 # item of a list separated by blanks.
 function show_series(title, list,    n, item, i, line, rule)

@@ -11,9 +11,11 @@
     cross_checks.py bases --output DIR [--program npt_dealii] [--friction 0.3]
         the default cell by NURBS, Bernstein and Lagrange functions
 
-Runs found complete in DIR are not repeated, so a study that was interrupted
-goes on where it stopped; a run that fails is reported and left out. Needs
-Python's standard library, gnuplot, and for all but the last ccx.
+Runs found complete in DIR are not repeated, those of npt_dealii if they are of
+the same commit, so a study that was interrupted goes on where it stopped; a run
+that fails is reported and left out. Needs Python's standard library, gnuplot,
+and for all but the last ccx. Without ccx the first takes the rows of CalculiX
+from the stored table.
 """
 
 import argparse
@@ -28,6 +30,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 IMAGES = HERE.parents[1] / "doc" / "images"
+STORED_STUDY = HERE / "curves" / "calculix_study.csv"
 
 # friction coefficient, elements along and across, through, increments per stage
 CALCULIX_RUNS = [(mu, n, 2, steps) for mu in (0, 0.3)
@@ -85,9 +88,12 @@ def environment():
 
 
 def run_npt(program, parameters, folder, settings):
-    """Run npt_dealii unless its curve is complete; True if it is now."""
+    """Run npt_dealii unless its curve is complete and of this commit; True if
+    it is complete now."""
     curve = folder / "curves.csv"
-    if not (curve.exists() and complete(curve)):
+    now = write_origin(folder.parent)
+    if not (curve.exists() and complete(curve) and
+            origins([folder]).split(", ")[-1] == now.split(", ")[-1]):
         folder.mkdir(parents=True, exist_ok=True)
         command = ["nice", str(program), str(parameters), "--output", str(folder)]
         for setting in settings:
@@ -95,6 +101,7 @@ def run_npt(program, parameters, folder, settings):
         with (folder / "screen.txt").open("w") as log:
             subprocess.run(command, stdout=log, stderr=subprocess.STDOUT,
                            env=environment(), check=False)
+        write_origin(folder)
     if curve.exists() and complete(curve):
         return True
     print(f"{folder.name} did not finish, see {folder}/screen.txt",
@@ -106,6 +113,29 @@ def complete(curve):
     rows = read_curve(curve)
     return bool(rows) and rows[-1]["stage"] == "shear" and \
         float(rows[-1]["load_factor"]) > 1.0 - 1e-6
+
+
+def write_origin(folder):
+    """Note date and commit in a folder, and return them."""
+    subprocess.run([str(HERE.parents[1] / "scripts" / "write_origin"),
+                    str(folder)], check=True)
+    return origins([folder])
+
+
+def origins(folders):
+    """Dates and commits of the runs in some folders."""
+    texts = {(folder / "origin.txt").read_text().strip() for folder in folders
+             if (folder / "origin.txt").exists()}
+    return " and ".join(sorted(texts))
+
+
+def stored_peer():
+    """Rows of CalculiX in the stored table, and where they come from."""
+    rows = [list(row.values()) for row in read_curve(STORED_STUDY)
+            if row["program"] == "CalculiX"]
+    origin = re.search(r"^# Origin: .*(CalculiX.*)", STORED_STUDY.read_text(),
+                       re.MULTILINE)
+    return rows, origin.group(1)
 
 
 def free_unknowns(folder):
@@ -134,22 +164,10 @@ def plot(script, **names):
     subprocess.run(["gnuplot", "-e", settings, str(HERE / script)], check=True)
 
 
-def calculix(options):
-    rows, stored = [], []
-    npt, reference = {}, {}
-    for mu, n, through, steps in NPT_RUNS:
-        folder = options.output / f"npt_mu{mu}_{n}x{n}x{through}_{steps}"
-        settings = mesh(n, through) + [f"Friction/Friction coefficient={mu}"]
-        if run_npt(options.program, HERE / "woven_cell.prm", folder, settings):
-            npt[mu, n, through, steps] = folder
-            reference[mu] = shear(folder / "curves.csv")
-    for (mu, n, through, steps), folder in npt.items():
-        curve = shear(folder / "curves.csv")
-        seconds = float(read_curve(folder / "curves.csv")[-1]["cpu_seconds"])
-        rows.append(["npt_dealii", mu, f"{n}x{n}x{through}", steps,
-                     *(value(curve, 0.2, c) for c in (1, 2, 3)),
-                     *(difference(curve, reference[mu], c) for c in (1, 2, 3)),
-                     seconds])
+def run_calculix(options, reference):
+    """Run CalculiX on all meshes: rows of the table, the curve of the finest
+    mesh of each friction, version and dates."""
+    rows, stored, made = [], [], set()
     for mu, n, through, steps in CALCULIX_RUNS:
         folder = options.output / f"ccx_mu{mu}_{n}x{n}x{through}_{steps}"
         if not (folder / "curve.csv").exists() or \
@@ -168,6 +186,7 @@ def calculix(options):
             continue
         curve = shear(folder / "curve.csv")
         text = (folder / "curve.csv").read_text()
+        made.add(re.search(r"CalculiX \S+, \S+", text).group())
         seconds = float(re.search(r"(\d+) s\n", text).group(1))
         rows.append(["CalculiX", mu, f"{n}x{n}x{through}", steps,
                      *(value(curve, 0.2, c) for c in (1, 2, 3)),
@@ -176,15 +195,43 @@ def calculix(options):
         stored = [entry for entry in stored if entry[0] != mu]
         stored.append((mu, folder / "curve.csv"))
 
+    return rows, stored, " and ".join(sorted(made))
+
+
+def calculix(options):
+    rows, stored = [], []
+    npt, reference = {}, {}
+    for mu, n, through, steps in NPT_RUNS:
+        folder = options.output / f"npt_mu{mu}_{n}x{n}x{through}_{steps}"
+        settings = mesh(n, through) + [f"Friction/Friction coefficient={mu}"]
+        if run_npt(options.program, HERE / "woven_cell.prm", folder, settings):
+            npt[mu, n, through, steps] = folder
+            reference[mu] = shear(folder / "curves.csv")
+    for (mu, n, through, steps), folder in npt.items():
+        curve = shear(folder / "curves.csv")
+        seconds = float(read_curve(folder / "curves.csv")[-1]["cpu_seconds"])
+        rows.append(["npt_dealii", mu, f"{n}x{n}x{through}", steps,
+                     *(value(curve, 0.2, c) for c in (1, 2, 3)),
+                     *(difference(curve, reference[mu], c) for c in (1, 2, 3)),
+                     seconds])
+    if shutil.which("ccx") is None:
+        print("There is no ccx; the rows of CalculiX are the stored ones.",
+              file=sys.stderr)
+        peer_rows, peer_origin = stored_peer()
+        rows += peer_rows
+    else:
+        peer_rows, stored, peer_origin = run_calculix(options, reference)
+        rows += peer_rows
+
     columns = ["program", "friction", "mesh", "steps", "n1", "n2", "n3",
                "difference_n1", "difference_n2", "difference_n3", "seconds"]
     write_table(options.output / "calculix.csv", columns, rows,
                 ["n at H3 = 0.2 [N/mm]; relative L2 differences to the finest",
-                 "run of npt_dealii [-]; seconds: CPU of npt_dealii, wall of ccx"])
+                 "run of npt_dealii [-]; seconds: CPU of npt_dealii, wall of ccx",
+                 f"Origin: npt_dealii {origins(npt.values())}; {peer_origin}"])
     if options.store:
         (HERE / "curves").mkdir(exist_ok=True)
-        shutil.copy(options.output / "calculix.csv",
-                    HERE / "curves" / "calculix_study.csv")
+        shutil.copy(options.output / "calculix.csv", STORED_STUDY)
         for mu, path in stored:
             shutil.copy(path, HERE / "curves" / f"calculix_mu{mu}.csv")
         finest = {mu: npt[key] / "curves.csv" for key in npt for mu in key[:1]}
@@ -199,7 +246,7 @@ def bases(options):
     name, n, through = BASES_REFERENCE
     runs = [(name, n, through)]
     runs += [(basis, n, 2) for basis, meshes in BASES.items() for n in meshes]
-    rows, reference = [], None
+    rows, folders, reference = [], [], None
     for basis, n, through in runs:
         folder = options.output / f"{basis}_mu{mu:g}_{n}x{n}x{through}"
         settings = mesh(n, through) + [f"Mesh/Basis={basis}",
@@ -207,6 +254,7 @@ def bases(options):
         if not run_npt(options.program, HERE / "bases.prm", folder, settings):
             rows.append([basis, f"{n}x{n}x{through}"] + ["nan"] * 5)
             continue
+        folders.append(folder)
         curve = shear(folder / "curves.csv")
         if reference is None:
             reference = curve
@@ -220,7 +268,8 @@ def bases(options):
     write_table(table, ["basis", "mesh", "unknowns", "n3", "difference_n3",
                         "iterations", "cpu_seconds"], rows,
                 [f"Default woven cell, KTS, friction {mu:g}; free unknowns; n3 at",
-                 "H3 = 0.2 [N/mm]; relative L2 difference to the first run [-]"])
+                 "H3 = 0.2 [N/mm]; relative L2 difference to the first run [-]",
+                 f"Origin: {origins(folders)}"])
     if options.store:
         (HERE / "curves").mkdir(exist_ok=True)
         shutil.copy(table, HERE / "curves" / table.name)
