@@ -51,6 +51,8 @@ namespace
   shear_in_steps(const unsigned int n, const std::string &mu)
   {
     return {"Friction/Friction coefficient=" + mu,
+            "Load programme/Stage weave/Initial step=0.25",
+            "Load programme/Stage weave/Maximum step=0.25",
             "Load programme/Stage shear/Initial step=" + steps(n),
             "Load programme/Stage shear/Maximum step=" + steps(n)};
   }

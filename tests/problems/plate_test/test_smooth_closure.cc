@@ -271,8 +271,12 @@ TEST_CASE("Woven and loaded bundles have no kink at a smooth seam", "[top]")
       INFO(overrides[0] << ", " << overrides[1]);
       overrides.push_back("Load programme/Stage shear/Initial step=0.5");
       overrides.push_back("Load programme/Stage shear/Maximum step=0.5");
+      // That there is a kink otherwise is shown by the smaller cells.
+      const bool is_small = overrides[1] != "Cell/Type=primitive cell";
       for (const bool smooth : {true, false})
         {
+          if (!smooth && !is_small)
+            continue;
           auto all = overrides;
           all.push_back(std::string("Cell/Smooth closure=") +
                         (smooth ? "true" : "false"));

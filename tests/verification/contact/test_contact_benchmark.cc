@@ -160,26 +160,6 @@ TEST_CASE("Two cylinders have Hertz' pressure and half width, and the error of "
 
 
 
-TEST_CASE("Cylinders in partial slip stick and lose energy as Cattaneo and "
-          "Mindlin computed",
-          "[top]")
-{
-  const auto   slip  = run_file("partial_slip",
-                             {"Upper body/Elements=6",
-                                 "Lower body/Elements=6",
-                                 "Benchmark/Body size=10",
-                                 "Benchmark/Span growth=2",
-                                 "Benchmark/Load steps=5"});
-  const double width = slip->comparison("half width").exact.value();
-  // The boundary of sticking lies between two control points.
-  CHECK(std::abs(slip->comparison("stick half width").computed -
-                 slip->comparison("stick half width").exact.value()) <
-        width / 6);
-  CHECK(std::abs(slip->comparison("loss per cycle").error()) < 0.05);
-}
-
-
-
 TEST_CASE("A slipping belt multiplies its tension by exp(mu theta)", "[top]")
 {
   for (const std::string method : {"mortar", "KTS"})
@@ -215,22 +195,6 @@ TEST_CASE("The torque of a slipping disc is 2/3 mu P R pointwise; mortar "
   CHECK(coarse < 0.);
   CHECK(std::abs(coarse) < 0.1);
   CHECK(std::abs(fine) < 0.4 * std::abs(coarse));
-}
-
-
-
-TEST_CASE("Ironing over many elements gives smooth forces", "[top]")
-{
-  const auto ironing = run_file("ironing",
-                                {"Benchmark/Load steps=12",
-                                 "Benchmark/Distance=0.2",
-                                 "Benchmark/Span growth=3",
-                                 "Benchmark/Body size=4",
-                                 "Upper body/Elements=3"});
-  CHECK(ironing->comparison("ripple of the normal force").computed < 2e-3);
-  CHECK(ironing->comparison("ripple of the tangential force").computed < 2e-3);
-  // mu up to the strain of the slab.
-  CHECK(std::abs(ironing->comparison("force ratio Q/P").error()) < 0.02);
 }
 
 
