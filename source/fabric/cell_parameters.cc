@@ -203,9 +203,10 @@ namespace NPT
       "instead of continuously only (C0). Needs the NURBS basis. It takes "
       "away the kink at the seam and three unknowns per control point of "
       "it; mind that a bundle then has less freedom than with C0 seams, so "
-      "that a coarse mesh is stiffer. automatic: true where a bundle passes two "
-      "crossings on the same side (every weave but the plain one), since its "
-      "seam then bends and its edges would fold there.");
+      "that a coarse mesh is stiffer. automatic: true in twills and satins, "
+      "where a bundle passes two crossings on the same side, so that its seam "
+      "bends and its edges would fold there; false in plain weaves, ribs and "
+      "baskets.");
   }
 
 

@@ -153,6 +153,19 @@ namespace NPT
       return "";
     }
 
+    // Whether bundles bend at their seams: they pass two crossings on the same
+    // side. In ribs and baskets, plain weaves of pairs, the bundles of a pair
+    // lie side by side there.
+    bool
+    seams_bend(const CellParameters &cell)
+    {
+      if (cell.type == "laminate")
+        return false;
+      const WeavePattern weave(cell.weave);
+      return !weave.is_plain() && !weave.has_equal_neighbors(true) &&
+             !weave.has_equal_neighbors(false);
+    }
+
     void
     settle_smooth_closure(PlateTestParameters &parameters)
     {
@@ -160,8 +173,7 @@ namespace NPT
       CellParameters   &cell    = parameters.cell;
       const std::string against = obstacle_to_smooth_closure(parameters);
       if (cell.smooth_closure == SmoothClosure::automatic)
-        cell.smooth_closure = cell.type != "laminate" && against.empty() &&
-                                  !WeavePattern(cell.weave).is_plain() ?
+        cell.smooth_closure = seams_bend(cell) && against.empty() ?
                                 SmoothClosure::yes :
                                 SmoothClosure::no;
       else if (cell.smooth_closure == SmoothClosure::yes && !against.empty())
