@@ -16,7 +16,7 @@ namespace NPT
   namespace
   {
     // Four orders below the stiffness of contact in the default cell.
-    const double share_of_shear_modulus = 4.407e-3;
+    const double share_of_shear_modulus = 4.40704e-3;
 
     // [N/mm per mm^3 of bundle]
     double

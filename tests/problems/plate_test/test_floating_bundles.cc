@@ -208,28 +208,42 @@ TEST_CASE("Weaving a cell that floats does not depend on the units", "[top]")
 
 
 
-TEST_CASE("Wefts in one shed of a rib touch each other, whatever cell is "
-          "computed",
-          "[top]")
+namespace
 {
   // n1 and n2 of the primitive cell with side contact in the version before
   // `automatic` knew of ribs, 1af3805. Without it the wefts of a shed were in
   // one place (n2 = .091); with a pin in each of them n2 was .419.
-  for (const std::vector<std::string> &cell :
-       {std::vector<std::string>{"Cell/Type=primitive cell"},
-        {"Cell/Type=primitive cell", "Cell/Two-fold axis=false"},
-        {"Cell/Type=automatic"}})
-    {
-      INFO(cell.back());
-      const auto curve = run(with(cell,
-                                  {"Cell/Weave=ou/ou/uo/uo",
-                                   "Mesh/Elements along=4",
-                                   "Mesh/Elements across=4",
-                                   "Mesh/Elements through=1",
-                                   "Load programme/Stages=weave, release"}));
-      CHECK(curve.back().n[0] == Approx(0.889).epsilon(0.01));
-      CHECK(curve.back().n[1] == Approx(0.248).epsilon(0.02));
-    }
+  void
+  check_rib(const std::vector<std::string> &cell)
+  {
+    INFO(cell.back());
+    const auto curve = run(with(cell,
+                                {"Cell/Weave=ou/ou/uo/uo",
+                                 "Mesh/Elements along=4",
+                                 "Mesh/Elements across=4",
+                                 "Mesh/Elements through=1",
+                                 "Load programme/Stages=weave, release"}));
+    CHECK(curve.back().n[0] == Approx(0.889).epsilon(0.002));
+    CHECK(curve.back().n[1] == Approx(0.248).epsilon(0.003));
+  }
+} // namespace
+
+TEST_CASE("Wefts in one shed of a rib touch each other in the cell that the "
+          "program chooses",
+          "[top]")
+{
+  check_rib({"Cell/Type=automatic"});
+}
+
+
+
+// Two minutes on a busy machine.
+TEST_CASE("Wefts in one shed of a rib touch each other in the primitive cell, "
+          "with the 2-fold axis and without",
+          "[top][.slow]")
+{
+  check_rib({"Cell/Type=primitive cell"});
+  check_rib({"Cell/Type=primitive cell", "Cell/Two-fold axis=false"});
 }
 
 
@@ -282,7 +296,9 @@ TEST_CASE("Side contact is on where lines may come near each other", "[top]")
     }
   // A twill shears by itself when n3 = 0.
   CHECK(side({"n3: 0"}, {"Cell/Weave=2/2 twill"}) == SideContact::on);
-  CHECK(side({"n1: 0"}, {"Cell/Weave=2/2 twill"}) == SideContact::off);
+  CHECK(side({"n1: 0, n2: 0"}, {"Cell/Weave=2/2 twill"}) == SideContact::off);
+  // The weft may take all of the crimp where the warp is held.
+  CHECK(side({"n2: 0"}) == SideContact::on);
   // The same cell in other units.
   CHECK(side({"H1: -0.11"},
              {"Cell/Crossing spacing=5e-3",
