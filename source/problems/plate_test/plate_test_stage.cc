@@ -442,28 +442,17 @@ namespace NPT
     // What bodies lose while they relax after that is not known better.
     if (before.load_factor == 0.)
       energies.work_uncertainty += 2. * friction_let_go_;
-    if (foundation_.empty())
+    if (foundation_.is_empty())
       return;
     const double share        = foundation_share(state.load_factor);
-    const double at_full      = foundation_energy(state.u);
+    const double at_full      = foundation_.energy(state.u);
     const double share_before = foundation_share(before.load_factor);
     energies.foundation       = share * at_full;
     if (share != share_before)
       {
         const double work_before = energies.work_uncertainty;
-        add(foundation_energy(before.u), at_full, share - share_before);
+        add(foundation_.energy(before.u), at_full, share - share_before);
         energies.release_uncertainty += energies.work_uncertainty - work_before;
       }
-  }
-
-
-
-  double
-  PlateTestStage::foundation_energy(const Vector<double> &u) const
-  {
-    double energy = 0;
-    for (unsigned int k = 0; k < foundation_.size(); ++k)
-      energy += 0.5 * foundation_[k] * u[k] * u[k];
-    return energy;
   }
 } // namespace NPT

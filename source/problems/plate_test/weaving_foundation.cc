@@ -126,6 +126,20 @@ namespace NPT
 
 
   double
+  WeavingFoundation::energy(const Vector<double> &u) const
+  {
+    double energy = 0;
+    for (const Spring &spring : springs_)
+      {
+        const double x = spring.elongation(u);
+        energy += 0.5 * spring.stiffness * x * x;
+      }
+    return energy;
+  }
+
+
+
+  double
   WeavingFoundation::largest_force(const Vector<double> &u,
                                    const double          share) const
   {

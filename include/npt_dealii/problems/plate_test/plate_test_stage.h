@@ -116,9 +116,6 @@ namespace NPT
     add_energies(const State &before, const Trial &trial, State &state) const;
     void
     add_work(const State &before, State &state) const;
-    // Of the foundation at full share [N mm].
-    double
-    foundation_energy(const dealii::Vector<double> &u) const;
     // What the release has left of the foundation.
     double
     foundation_share(const double load_factor) const;
