@@ -58,6 +58,20 @@ namespace NPT
 
 
 
+  template <>
+  const EnumNames<CellParameters::SmoothClosure> &
+  enum_names<CellParameters::SmoothClosure>()
+  {
+    using SmoothClosure                         = CellParameters::SmoothClosure;
+    static const EnumNames<SmoothClosure> names = {
+      {SmoothClosure::automatic, "automatic"},
+      {SmoothClosure::yes, "true"},
+      {SmoothClosure::no, "false"}};
+    return names;
+  }
+
+
+
   void
   CellParameters::add_parameters(dealii::ParameterHandler &prm)
   {
@@ -94,8 +108,10 @@ namespace NPT
       "Side contact",
       side_contact,
       "Contact between the edges of parallel neighbors, which jam at large "
-      "shear (locking). automatic: on if the shear of the load programme "
-      "brings them nearer than a tenth of the width.");
+      "shear (locking). automatic: on if nothing crosses between neighbors on "
+      "the same side (rib, basket), if the load programme brings their lines "
+      "nearer than 1.1 widths, or if how near is not known in advance (n < 0, "
+      "shear by a force, moments); the log says which.");
     add_parameter(
       prm,
       "Secondary bundles",
@@ -176,8 +192,8 @@ namespace NPT
                   "Use the two-fold axis of the weave through the "
                   "crossing as a constraint. It holds for all modes, "
                   "removes rigid motions without pins and makes the "
-                  "centered state stable; false pins the center of each "
-                  "bundle instead.");
+                  "centered state stable; false pins one point of the cell "
+                  "instead.");
     add_parameter(
       prm,
       "Smooth closure",
@@ -187,7 +203,10 @@ namespace NPT
       "instead of continuously only (C0). Needs the NURBS basis. It takes "
       "away the kink at the seam and three unknowns per control point of "
       "it; mind that a bundle then has less freedom than with C0 seams, so "
-      "that a coarse mesh is stiffer.");
+      "that a coarse mesh is stiffer. automatic: true in twills and satins, "
+      "where a bundle passes two crossings on the same side, so that its seam "
+      "bends and its edges would fold there; false in plain weaves, ribs and "
+      "baskets.");
   }
 
 

@@ -41,13 +41,14 @@ namespace NPT
 
 
 
-  bool
-  FabricCell::needs_vertical_pin() const
+  std::array<bool, 3>
+  FabricCell::free_translations() const
   {
+    std::array<bool, 3> is_free = {{true, true, true}};
     for (const SymmetryOperation &g : layout_.operations)
-      if (g.turns_over())
-        return false;
-    return true;
+      for (unsigned int i = 0; i < 3; ++i)
+        is_free[i] = is_free[i] && g.Q[i] > 0;
+    return is_free;
   }
 
 

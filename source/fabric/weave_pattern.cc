@@ -133,6 +133,49 @@ namespace NPT
 
 
   bool
+  WeavePattern::has_equal_neighbors(const bool warp) const
+  {
+    const int n = warp ? n_warp_ : n_weft_, n_along = warp ? n_weft_ : n_warp_;
+    for (int i = 0; i < n; ++i)
+      {
+        bool equal = true;
+        for (int j = 0; j < n_along && equal; ++j)
+          equal = warp ? warp_is_over(i, j) == warp_is_over(i + 1, j) :
+                         warp_is_over(j, i) == warp_is_over(j, i + 1);
+        if (equal)
+          return true;
+      }
+    return false;
+  }
+
+
+
+  bool
+  WeavePattern::has_mirror() const
+  {
+    const int n_warp = n_warp_, n_weft = n_weft_;
+    for (int k = 0; k < n_warp; ++k)
+      for (int l = 0; l < n_weft; ++l)
+        {
+          // How many crossings keep their side when the warps, or the wefts,
+          // are counted backwards.
+          int by_warp = 0, by_weft = 0;
+          for (int j = 0; j < n_weft; ++j)
+            for (int i = 0; i < n_warp; ++i)
+              {
+                by_warp += warp_is_over(i, j) == warp_is_over(k - i, l + j);
+                by_weft += warp_is_over(i, j) == warp_is_over(k + i, l - j);
+              }
+          const int all = n_warp * n_weft;
+          if (by_warp == 0 || by_warp == all || by_weft == 0 || by_weft == all)
+            return true;
+        }
+    return false;
+  }
+
+
+
+  bool
   WeavePattern::has_two_fold_axis(const int twice_warp,
                                   const int twice_weft) const
   {

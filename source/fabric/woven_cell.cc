@@ -183,9 +183,6 @@ namespace NPT
         s.n_crossings = n;
         s.begin       = (s.first - 0.5 - 0.5 * origin_along_) * along_L_;
         s.length      = n * along_L_;
-        s.held        = false;
-        for (int q = 0; has_axis_ && q < n_along_; ++q)
-          s.held = s.held || sign(2 * i - origin_, q) != 0;
         return s;
       }
 
@@ -282,9 +279,7 @@ namespace NPT
           find_contacts(cell, lattice_, shifts_, layout_.bundles, strands_);
         add_pieces_of_repeat(true);
         add_pieces_of_repeat(false);
-        for (const Strand &strand : strands_)
-          if (layout_.has_two_fold_axis && !strand.held)
-            layout_.has_floating_bundles = true;
+        find_floating_bundles();
       }
 
       CellLayout
@@ -379,6 +374,27 @@ namespace NPT
                         .distance(middle(bundles[c], strands_[c])) <
                       1e-9 * L_sum)
                   bundles[b].mirror = FiberBundle::Mirror{c, g};
+          }
+      }
+
+      // A rigid motion w = e_i of a strand survives unless an operation maps
+      // the strand onto itself with Q_i = -1, since w = Q w there. (Operations
+      // that map it onto others tie their motions to its own.)
+      void
+      find_floating_bundles()
+      {
+        for (unsigned int b = 0; b < layout_.bundles.size(); ++b)
+          {
+            FiberBundle &bundle = layout_.bundles[b];
+            const int    across =
+              bundle.family == FiberBundle::Family::warp ? 1 : 0;
+            const Point<3> center = middle(bundle, strands_[b]);
+            bundle.can_float      = {{true, true, true}};
+            for (const SymmetryOperation &g : layout_.operations)
+              if (std::abs(g(center)[across] - center[across]) <
+                  1e-6 * lattice_.spacing(across))
+                for (unsigned int i = 0; i < 3; ++i)
+                  bundle.can_float[i] = bundle.can_float[i] && g.Q[i] > 0;
           }
       }
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <stdexcept>
 
 namespace NPT
@@ -112,33 +111,29 @@ namespace NPT
             }
       }
 
-      // Pins w = w_m in plane of each body on a 2-fold axis, mean over the
-      // thickness: a weighted sum of control points, reduced to free unknowns
-      // and solved for its largest term. (w = 0 would hold bundles whose
-      // pins are apart against the macroscopic shear. The middle of a bundle
-      // between two crossings is on no axis: sticking friction would push
-      // against a pin there in bending and torsion.)
+      // Pins w = w_m in plane at one place of the first bundle, where a 2-fold
+      // axis of the weave goes through it if one does: a mean over the
+      // thickness, that is a weighted sum of control points, reduced to free
+      // unknowns and solved for its largest term. All forces on the cell
+      // together are in equilibrium, so these pins are free of reactions; a pin
+      // in every bundle would bear what bundles exert on each other.
       void
       pin_in_plane(const std::optional<std::array<double, 2>> &in_plane,
+                   const std::array<bool, 3>                  &is_free,
                    AffineConstraints<double> &constraints) const
       {
-        std::set<unsigned int> pinned;
-        for (unsigned int b = 0; b < space_.n_patches(); ++b)
-          {
-            if (!pinned.insert(space_.body(b)).second)
-              continue;
-            const std::array<double, 2> place = in_plane.value_or(
-              std::array<double, 2>{{cell_.axis_parameter(b), 0.5}});
-            const WeightedPoints points = fiber_through_thickness(b, place);
-            // The axis keeps the woven height, which enters w_m.
-            Point<3> center =
-              space_.patch(b).value(Point<3>(place[0], place[1], 0.5));
-            center[2] = 0.;
-            for (const auto &[A, weight] : points)
-              center[2] += weight * places_[A][2];
-            for (unsigned int c = 0; c < 2; ++c)
-              hold(points, center, c, constraints);
-          }
+        const std::array<double, 2> place = in_plane.value_or(
+          std::array<double, 2>{{cell_.axis_parameter(0), 0.5}});
+        const WeightedPoints points = fiber_through_thickness(0, place);
+        // The axis keeps the woven height, which enters w_m.
+        Point<3> center =
+          space_.patch(0).value(Point<3>(place[0], place[1], 0.5));
+        center[2] = 0.;
+        for (const auto &[A, weight] : points)
+          center[2] += weight * places_[A][2];
+        for (unsigned int c = 0; c < 2; ++c)
+          if (is_free[c])
+            hold(points, center, c, constraints);
       }
 
     private:
@@ -278,19 +273,21 @@ namespace NPT
                               space,
                               macro,
                               woven.empty() ? space.control_points() : woven);
-    const bool      smooth = cell.parameters().smooth_closure;
+    const bool      smooth =
+      cell.parameters().smooth_closure == CellParameters::SmoothClosure::yes;
     couplings.relate_by_operations();
     if (smooth)
       couplings.close_smoothly();
-    if (pins.used && cell.needs_vertical_pin())
+    const std::array<bool, 3> is_free = cell.free_translations();
+    if (pins.used && is_free[2])
       couplings.pin_vertically(pins.vertical, smooth);
 
     AffineConstraints<double> constraints;
     couplings.write(constraints);
     for (const PeriodicImage &periodic_image : images)
       couplings.add_image(periodic_image, constraints);
-    if (pins.used && !cell.has_two_fold_axis())
-      couplings.pin_in_plane(pins.in_plane, constraints);
+    if (pins.used)
+      couplings.pin_in_plane(pins.in_plane, is_free, constraints);
     constraints.close();
     return constraints;
   }

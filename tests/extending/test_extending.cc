@@ -211,27 +211,27 @@ TEST_CASE("Woven bundles penetrate less under the stiffening law than under "
 
 
 
-TEST_CASE("In the 3/1 twill the warp is over at 12 of 16 crossings, and four "
+TEST_CASE("In the 4/1 twill the warp is over at 20 of 25 crossings, and five "
           "of them make a cell",
           "[extending]")
 {
-  const WeavePattern twill("3/1 twill");
+  const WeavePattern twill("4/1 twill");
   unsigned int       n_over = 0;
-  for (unsigned int warp = 0; warp < 4; ++warp)
-    for (unsigned int weft = 0; weft < 4; ++weft)
+  for (unsigned int warp = 0; warp < 5; ++warp)
+    for (unsigned int weft = 0; weft < 5; ++weft)
       n_over += twill.warp_is_over(warp, weft) ? 1 : 0;
-  CHECK(n_over == 12);
+  CHECK(n_over == 20);
   CHECK(twill.is_translation(1, -1) != twill.is_translation(1, 1));
   // More over than under: no glide plane exchanges them.
   CHECK(!twill.has_glide());
 
   CellParameters cell;
-  cell.weave = "3/1 twill";
+  cell.weave = "4/1 twill";
   cell.type  = "primitive cell";
   const FabricCell fabric(cell, MeshParameters());
-  CHECK(fabric.area() == Approx(4. * 5. * 5.));
+  CHECK(fabric.area() == Approx(5. * 5. * 5.));
 
-  const auto folder = run_example("weave/three_one_twill.prm",
+  const auto folder = run_example("weave/four_one_twill.prm",
                                   "extending_weave",
                                   {"--geometry-only"});
   CHECK(std::filesystem::exists(folder + "/geometry.vtu"));

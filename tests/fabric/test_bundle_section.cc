@@ -169,7 +169,7 @@ TEST_CASE("A rounded rectangle is C1 where its arcs meet the flat", "[cell]")
 namespace
 {
   // A section and a weave of which no other file knows: a bar with a height of
-  // its own, and the 3/1 twill.
+  // its own, and the 4/1 twill.
   NURBSPatch<2>
   bar_patch(const BundleSection &section,
             const unsigned int   degree,
@@ -202,8 +202,8 @@ namespace
            "Bar only: half height over thickness [-].",
            std::make_shared<dealii::Patterns::Double>(0.1, 0.5)}}});
 
-  const Registry<NamedWeave>::Registration twill("3/1 twill",
-                                                 {"ooou/oouo/ouoo/uooo"});
+  const Registry<NamedWeave>::Registration
+    twill("4/1 twill", {"oooou/ooouo/oouoo/ouooo/uoooo"});
 } // namespace
 
 TEST_CASE("A section and a weave that register themselves are read like the "
@@ -215,12 +215,12 @@ TEST_CASE("A section and a weave that register themselves are read like the "
   cell.add_parameters(prm);
   prm.parse_input_from_string("subsection Cell\nset Section = bar\n"
                               "set Bar height = 0.4\n"
-                              "set Weave = 3/1 twill\nend\n");
+                              "set Weave = 4/1 twill\nend\n");
   cell.check();
   const BundleSection section = cell.warp_section();
   CHECK(section.area() == Approx(2 * 0.4 * 1.2 * 4.));
   CHECK(largest_error(section, section.patch(3, 4)) < 1e-14);
-  CHECK(WeavePattern(cell.weave).n_warp() == 4);
+  CHECK(WeavePattern(cell.weave).n_warp() == 5);
   CHECK_THROWS_WITH(WeavePattern("plane"),
                     Catch::Contains("did you mean 'plain'"));
 }

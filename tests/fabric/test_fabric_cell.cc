@@ -3,10 +3,12 @@
 // parameters say, and its operations are symmetries of the structure.
 
 #include <npt_dealii/fabric/fabric_cell.h>
+#include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/iga/iga_values.h>
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -235,9 +237,69 @@ TEST_CASE("Shifts of the table make the cell as small as the weave allows",
       INFO(type << ", " << weave);
       CHECK(cell.area() == Approx(25. * crossings));
       CHECK(cell.bundles().size() == n_bundles);
-      // Bundles of the smallest cells lie on 2-fold axes: nothing floats.
+      // Bundles of the smallest cells lie on 2-fold axes: nothing floats in
+      // plane, and along Y3 only without a glide plane.
       if (n_bundles == 2)
-        CHECK_FALSE(cell.has_floating_bundles());
+        for (unsigned int b = 0; b < 2; ++b)
+          CHECK(cell.can_float(b) ==
+                std::array<bool, 3>{{false, false, type != "sub-unit cell"}});
+    }
+}
+
+
+
+TEST_CASE("Weaves have the neighbors and the mirrors that one sees in their "
+          "tables",
+          "[cell]")
+{
+  // Equal neighboring warps, wefts; a mirror (or glide mirror) across a family.
+  const std::vector<std::tuple<std::string, bool, bool, bool>> weaves = {
+    {"plain", false, false, true},
+    {"2/1 rib", false, true, true},
+    {"2/2 rib", false, true, true},
+    {"oouu/uuoo", true, false, true},
+    {"2/2 basket", true, true, true},
+    {"2/1 twill", false, false, false},
+    {"3/1 twill", false, false, false},
+    {"2/2 twill", false, false, false},
+    {"crowfoot", false, false, true},
+    {"5-harness satin", false, false, false},
+    {"8-harness satin", false, false, false}};
+  for (const auto &[name, warps, wefts, mirror] : weaves)
+    {
+      INFO(name);
+      const WeavePattern weave(name);
+      CHECK(weave.has_equal_neighbors(true) == warps);
+      CHECK(weave.has_equal_neighbors(false) == wefts);
+      CHECK(weave.has_mirror() == mirror);
+    }
+}
+
+
+
+TEST_CASE("Satins bind once per bundle and never side by side", "[cell]")
+{
+  for (const std::string name :
+       {"crowfoot", "5-harness satin", "8-harness satin"})
+    {
+      INFO(name);
+      const WeavePattern weave(name);
+      REQUIRE(weave.n_warp() == weave.n_weft());
+      const int n = weave.n_warp();
+      for (int j = 0; j < n; ++j)
+        {
+          int in_row = 0, in_column = 0;
+          for (int i = 0; i < n; ++i)
+            {
+              in_row += weave.warp_is_over(i, j);
+              in_column += weave.warp_is_over(j, i);
+              if (name != "crowfoot" && weave.warp_is_over(i, j))
+                CHECK_FALSE((weave.warp_is_over(i + 1, j + 1) ||
+                             weave.warp_is_over(i - 1, j + 1)));
+            }
+          CHECK(in_row == 1);
+          CHECK(in_column == 1);
+        }
     }
 }
 

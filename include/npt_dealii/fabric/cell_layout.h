@@ -10,6 +10,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -31,6 +32,9 @@ namespace NPT
     unsigned int         body;      ///< patches of one body are joined
 
     unsigned int n_crossings = 1; ///< 1 for a ply
+    /// Along which of Y1, Y2, Y3 the symmetry of the cell lets this bundle move
+    /// rigidly, by itself or against its image under the 2-fold axis.
+    std::array<bool, 3> can_float = {{false, false, false}};
     /// Where along the bundle, in [0,1], a 2-fold axis goes through it.
     double axis_parameter = 0.5;
 
@@ -92,9 +96,8 @@ namespace NPT
     std::vector<ContactCandidates> contacts;
     std::vector<CrossingPiece>     repeat;
 
-    double area                 = 0.; ///< [mm^2]
-    bool   has_two_fold_axis    = false;
-    bool   has_floating_bundles = false;
+    double area              = 0.; ///< [mm^2]
+    bool   has_two_fold_axis = false;
   };
 } // namespace NPT
 

@@ -71,11 +71,18 @@ namespace NPT
     double weaving_depth = 1.0; ///< [-]
     /// "automatic" is the smallest that represents modes 1 to 3, unless the
     /// load programme asks for more.
-    std::string type           = "automatic";
-    std::string weave          = "plain"; ///< name or table
-    bool        two_fold_axis  = true;
-    bool        smooth_closure = false; ///< C1 over the periodic faces
-    bool        images         = true;
+    std::string type          = "automatic";
+    std::string weave         = "plain"; ///< name or table
+    bool        two_fold_axis = true;
+    /// C1 over the periodic faces and between crossings.
+    enum class SmoothClosure
+    {
+      automatic,
+      yes,
+      no
+    };
+    SmoothClosure smooth_closure = SmoothClosure::automatic;
+    bool          images         = true;
     enum class SideContact
     {
       automatic,
@@ -109,6 +116,10 @@ namespace NPT
   template <>
   const EnumNames<CellParameters::SideContact> &
   enum_names<CellParameters::SideContact>();
+
+  template <>
+  const EnumNames<CellParameters::SmoothClosure> &
+  enum_names<CellParameters::SmoothClosure>();
 
   /// Subsection "Mesh": discretization of each bundle.
   struct MeshParameters

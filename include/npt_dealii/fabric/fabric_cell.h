@@ -8,6 +8,7 @@
 #include <npt_dealii/fabric/cell_layout.h>
 #include <npt_dealii/fabric/cell_parameters.h>
 
+#include <array>
 #include <vector>
 
 namespace NPT
@@ -70,16 +71,16 @@ namespace NPT
     {
       return layout_.has_two_fold_axis;
     }
-    /// Whether a translation of the whole cell along Y3 must be pinned (a
-    /// glide plane excludes it).
-    bool
-    needs_vertical_pin() const;
-    /// Whether a bundle can float in plane before contact holds it: the 2-fold
-    /// axes go past it. (Without 2-fold axis every bundle is pinned.)
-    bool
-    has_floating_bundles() const
+    /// Along which of Y1, Y2, Y3 the operations let the whole cell move
+    /// rigidly, so that it must be pinned: a 2-fold axis excludes it in plane,
+    /// a glide plane along Y3.
+    std::array<bool, 3>
+    free_translations() const;
+    /// Along which of Y1, Y2, Y3 a bundle can float before contact holds it.
+    const std::array<bool, 3> &
+    can_float(const unsigned int bundle) const
     {
-      return layout_.has_floating_bundles;
+      return layout_.bundles[bundle].can_float;
     }
     /**
      * Where along a bundle, in [0,1], a 2-fold axis of the weave goes through

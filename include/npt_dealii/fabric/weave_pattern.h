@@ -54,6 +54,15 @@ namespace NPT
     /// Whether there is a glide plane at all.
     bool
     has_glide() const;
+    /// Whether two neighboring warp bundles (or weft bundles) are on the same
+    /// sides everywhere: nothing crosses between them that keeps them apart.
+    bool
+    has_equal_neighbors(const bool warp) const;
+    /// Whether a mirror across one family of bundles, after any shift and with
+    /// or without exchange of over and under, maps the weave onto itself. Such
+    /// a weave does not shear by itself.
+    bool
+    has_mirror() const;
     /// Whether a rotation by 180 degrees about the point (warp / 2, weft / 2)
     /// maps the weave onto itself.
     bool

@@ -27,7 +27,6 @@ namespace NPT
     unsigned int n_crossings;
     double       begin;  ///< along [mm]
     double       length; ///< along [mm]
-    bool         held;   ///< a 2-fold axis goes through it
   };
 
   /// The table, the spacings and the shifts that a type of cell admits.

@@ -38,13 +38,14 @@ namespace NPT
     std::vector<dealii::Point<3>> reference;     ///< QX + a
   };
 
-  /// Where rigid motions are held that the symmetry of a cell leaves.
+  /// Where rigid motions of the whole cell are held that its symmetry leaves.
+  /// Bundles that float against each other are no matter of pins.
   struct Pins
   {
     bool used = true; ///< false leaves them free, to look at reactions
-    /// PlateTestParameters, in [0,1]^2, of the point of each body that is held
-    /// in plane, if the 2-fold axis is not a constraint. Empty: where an axis
-    /// of the weave goes through the bundle, or its middle.
+    /// Parameters, in [0,1]^2, of the point of the first bundle that is held in
+    /// plane, if the 2-fold axis is not a constraint. Empty: where an axis of
+    /// the weave goes through the bundle, or its middle.
     std::optional<std::array<double, 2>> in_plane;
     /// Position, in the first patch, of the control point that is held along
     /// Y3, if there is no glide plane. With a smooth closure one at the end of

@@ -97,6 +97,10 @@ namespace NPT
                     LoadStepper::Predictor::extrapolation,
                     [&](const AcceptedStep &step) {
                       accept_step(stage, step);
+                      if (state_.load_factor == 1.)
+                        results_.report_supports(
+                          index,
+                          problem.support_forces(step.increment, step.trial));
                     });
         check_contact(
           *cell_, parameters_, stage, state_, woven_, results_.curve(), log_);

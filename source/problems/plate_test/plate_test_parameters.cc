@@ -4,13 +4,13 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/problem_names.h>
+#include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/homogenization/cell_modes.h>
 #include <npt_dealii/problems/plate_test/cell_sizes.h>
 #include <npt_dealii/problems/plate_test/macro_limits.h>
+#include <npt_dealii/problems/plate_test/neighbor_distance.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace NPT
@@ -102,34 +102,6 @@ namespace NPT
 
   namespace
   {
-    // Whether the programme shears so far that the edges of parallel
-    // neighbors come near each other. In shear H3 the lines of a family turn by
-    // H3/2, and their distance falls to spacing (1 - H3^2/4) / (1 +
-    // H3^2/4)^1/2.
-    bool
-    neighbors_may_touch(const PlateTestParameters &parameters)
-    {
-      constexpr unsigned int H3    = MacroModes::number_of("H3");
-      double                 shear = 0;
-      for (const LoadStage &stage : parameters.load_programme.stages)
-        {
-          for (const auto &target : stage.H_targets)
-            if (target.first == H3)
-              shear = std::max(shear, std::abs(target.second));
-          // How far a force shears is not known in advance.
-          for (const auto &target : stage.n_targets)
-            if (target.first == H3 && target.second != 0.)
-              shear = 2.;
-        }
-      const double h      = 0.25 * shear * shear;
-      const double factor = (1. - h) / std::sqrt(1. + h);
-      const auto  &cell   = parameters.cell;
-      // The width of a family against the spacing of its bundles.
-      return factor * cell.crossing_spacing.warp <
-               1.1 * cell.bundle_width.warp ||
-             factor * cell.crossing_spacing.weft < 1.1 * cell.bundle_width.weft;
-    }
-
     // A mode that the cell's symmetry forbids would give wrong numbers without
     // any sign of error, so it is refused here.
     void
@@ -156,31 +128,56 @@ namespace NPT
         }
     }
 
-    // Where a smooth closure would gain nothing or could not be kept.
-    void
-    check_smooth_closure(const PlateTestParameters &parameters)
+    // Where a smooth closure would gain nothing or could not be kept; empty: it
+    // can be used.
+    std::string
+    obstacle_to_smooth_closure(const PlateTestParameters &parameters)
     {
-      if (!parameters.cell.smooth_closure)
-        return;
       if (parameters.mesh.basis != Basis::NURBS)
-        throw InputError(
-          "Smooth closure is true with the Basis " +
-          name_of(parameters.mesh.basis) +
-          ", whose functions are only C0 between all elements, so that a "
-          "smooth seam would gain nothing; use Basis = NURBS or Smooth "
-          "closure = false (subsections Cell and Mesh).");
+        return "Smooth closure is true with the Basis " +
+               name_of(parameters.mesh.basis) +
+               ", whose functions are only C0 between all elements, so that a "
+               "smooth seam would gain nothing; use Basis = NURBS or Smooth "
+               "closure = false (subsections Cell and Mesh).";
       for (const LoadStage &stage : parameters.load_programme.stages)
         if (stage.type != LoadStage::Type::load)
           for (unsigned int n = 0; n < MacroModes::n; ++n)
             if (MacroModes::table[n].kind == MacroMode::Kind::bending &&
                 stage.H_targets.count(n) + stage.n_targets.count(n) > 0)
-              throw InputError(
-                "Smooth closure is true and stage " + stage.name +
-                " prescribes mode " + std::to_string(n + 1) +
-                ", but the woven state, to which bending and torsion refer, "
-                "must then be reached without them; prescribe it in a load "
-                "stage (subsections Cell and Stage " +
-                stage.name + ").");
+              return "Smooth closure is true and stage " + stage.name +
+                     " prescribes mode " + std::to_string(n + 1) +
+                     ", but the woven state, to which bending and torsion "
+                     "refer, must then be reached without them; prescribe it "
+                     "in a load stage (subsections Cell and Stage " +
+                     stage.name + ").";
+      return "";
+    }
+
+    // Whether bundles bend at their seams: they pass two crossings on the same
+    // side. In ribs and baskets, plain weaves of pairs, the bundles of a pair
+    // lie side by side there.
+    bool
+    seams_bend(const CellParameters &cell)
+    {
+      if (cell.type == "laminate")
+        return false;
+      const WeavePattern weave(cell.weave);
+      return !weave.is_plain() && !weave.has_equal_neighbors(true) &&
+             !weave.has_equal_neighbors(false);
+    }
+
+    void
+    settle_smooth_closure(PlateTestParameters &parameters)
+    {
+      using SmoothClosure       = CellParameters::SmoothClosure;
+      CellParameters   &cell    = parameters.cell;
+      const std::string against = obstacle_to_smooth_closure(parameters);
+      if (cell.smooth_closure == SmoothClosure::automatic)
+        cell.smooth_closure = seams_bend(cell) && against.empty() ?
+                                SmoothClosure::yes :
+                                SmoothClosure::no;
+      else if (cell.smooth_closure == SmoothClosure::yes && !against.empty())
+        throw InputError(against);
     }
   } // namespace
 
@@ -244,12 +241,16 @@ namespace NPT
         std::tie(cell.type, reason_for_type) = smallest_cell_type(cell, modes);
       }
     if (cell.side_contact == CellParameters::SideContact::automatic)
-      cell.side_contact = neighbors_may_touch(*this) ?
-                            CellParameters::SideContact::on :
-                            CellParameters::SideContact::off;
+      {
+        reason_for_side_contact =
+          NPT::reason_for_side_contact(cell, load_programme);
+        cell.side_contact = reason_for_side_contact.empty() ?
+                              CellParameters::SideContact::off :
+                              CellParameters::SideContact::on;
+      }
     contact.set_thickness(cell.bundle_thickness.smaller());
     check_modes(*this);
-    check_smooth_closure(*this);
+    settle_smooth_closure(*this);
   }
 
 

@@ -67,6 +67,12 @@ namespace NPT
     if (!parameters_.reason_for_type.empty())
       log_.line("The program chose the " + parameters_.cell.type + ", " +
                 parameters_.reason_for_type + ".");
+    if (parameters_.cell.smooth_closure == CellParameters::SmoothClosure::yes)
+      log_.line("Bundles are smooth (C1) between crossings and over the "
+                "periodic faces.");
+    if (!parameters_.reason_for_side_contact.empty())
+      log_.line("Side contact is on, because " +
+                parameters_.reason_for_side_contact + ".");
   }
 
 
@@ -311,6 +317,38 @@ namespace NPT
       {
         log_.warning(std::string("The cell is not drawn: ") + failure.what());
       }
+  }
+
+
+
+  void
+  PlateTestResults::report_supports(const unsigned int   stage,
+                                    const SupportForces &forces)
+  {
+    // A hundredth of what contact bears moves the curves by less than that.
+    const double much     = 0.01;
+    const auto  &stages   = parameters_.load_programme.stages;
+    const double larger   = std::max(forces.foundation, forces.pins);
+    const bool   is_small = larger <= much * forces.contact;
+    const bool   fades = forces.foundation > 0. && stage + 1 < stages.size() &&
+                       stages[stage + 1].type == LoadStage::Type::release;
+    if (is_small && forces.foundation == 0.)
+      return;
+    const std::string sentence =
+      "The supports at the end of stage " + stages[stage].name +
+      ": foundation at most " + short_number(forces.foundation, 2) +
+      " N on a bundle, pins " + short_number(forces.pins, 2) + " N, contact " +
+      short_number(forces.contact, 3) + " N.";
+    if (is_small || fades)
+      log_.line(sentence);
+    else
+      log_.warning(
+        sentence +
+        (forces.foundation > 0. ?
+           " Bundles hang on the foundation, which a stage of type release "
+           "would fade out (Load programme/Stages)." :
+           " The cell is not in equilibrium by itself. What to try: a smaller "
+           "Relative tolerance (subsection Newton)."));
   }
 
 

@@ -8,24 +8,73 @@
 #include <npt_dealii/problems/plate_test/macro_limits.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
 
 namespace NPT
 {
+  using dealii::Tensor;
   using dealii::TimerOutput;
   using dealii::Vector;
 
   namespace
   {
-    // Of the foundation in weaving [N/mm per mm^3 of bundle]: four orders
-    // below the stiffness of contact, so that it moves nothing by itself.
-    const double foundation_stiffness = 0.01;
-
     // Nodes nearer than this fraction of the thickness are about to touch:
     // their couplings enter the pattern.
     const double pattern_margin = 0.02;
+
+    // A soft foundation keeps bundles that float before contact holds them
+    // during weaving, and fades out in the release.
+    bool
+    has_foundation(const std::vector<LoadStage> &stages,
+                   const unsigned int            index)
+    {
+      bool weaving_began = false;
+      for (unsigned int k = 0; k <= index; ++k)
+        weaving_began =
+          weaving_began || stages[k].type == LoadStage::Type::weave;
+      return weaving_began && stages[index].type != LoadStage::Type::load;
+    }
+
+    // The residual leaves out what the pins bear, so that it does work in a
+    // rigid motion of the cell, in which images take part.
+    double
+    largest_pin_force(const PlateCell &cell, const Vector<double> &residual)
+    {
+      const auto is_free = cell.fabric().free_translations();
+      double     largest = 0;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          double sum = 0;
+          for (unsigned int k = i; k < cell.macro().first; k += 3)
+            sum += residual[k];
+          for (const PeriodicImage &image : cell.images())
+            for (unsigned int l = 0; l < image.control_points.size(); ++l)
+              sum += residual[image.first_unknown + 3 * l + i];
+          if (is_free[i])
+            largest = std::max(largest, std::abs(sum));
+        }
+      return largest;
+    }
+
+    // Of |force| on the control points [N].
+    double
+    sum_on_bundle(const IGASpace<3>    &space,
+                  const unsigned int    bundle,
+                  const Vector<double> &force)
+    {
+      double sum = 0;
+      for (unsigned int l = 0; l < space.patch(bundle).n_control_points(); ++l)
+        {
+          const unsigned int A = space.control_point(bundle, l);
+          sum +=
+            Tensor<1, 3>({force[3 * A], force[3 * A + 1], force[3 * A + 2]})
+              .norm();
+        }
+      return sum;
+    }
 
     std::optional<TimerOutput::Scope>
     section(TimerOutput *timer, const std::string &name)
@@ -62,10 +111,12 @@ namespace NPT
                                  woven,
                                  pins),
                   cell.macro().n_unknowns());
+    if (has_foundation(stages, index))
+      foundation_ = WeavingFoundation(cell);
     cell_groups_ = cell.bodies().add_groups(system);
     set_loads(stages, before);
     set_prescribed(system);
-    make_foundation(stages);
+    foundation_.add_groups(system);
     start_ = make_start(before, index > 0 && stages[index - 1].friction);
     friction_let_go_ = before.energies.friction - start_.energies.friction;
   }
@@ -120,31 +171,6 @@ namespace NPT
           k == MacroUnknowns::n_modes || !resultant_controlled_[k];
       }
     system.set_prescribed(prescribed);
-  }
-
-
-
-  /*
-   * Before contact holds them, the bundles of a cell that is coupled by
-   * translations can float apart vertically, and bundles that no 2-fold axis
-   * goes through also in plane. A soft foundation keeps them during weaving and
-   * fades out in the release.
-   */
-  void
-  PlateTestStage::make_foundation(const std::vector<LoadStage> &stages)
-  {
-    bool weaving_began = false;
-    for (unsigned int k = 0; k <= index_; ++k)
-      weaving_began = weaving_began || stages[k].type == LoadStage::Type::weave;
-    if (stage_.type == LoadStage::Type::load || !weaving_began ||
-        !cell_.fabric().needs_vertical_pin())
-      return;
-    const auto         integrals = cell_.bodies().integrals_of_functions(true);
-    const unsigned int first = cell_.fabric().has_floating_bundles() ? 0 : 2;
-    foundation_.assign(3 * integrals.size(), 0.);
-    for (unsigned int A = 0; A < integrals.size(); ++A)
-      for (unsigned int i = first; i < 3; ++i)
-        foundation_[3 * A + i] = foundation_stiffness * integrals[A];
   }
 
 
@@ -235,9 +261,7 @@ namespace NPT
       trial.force_scale =
         std::sqrt(trial.force_scale * trial.force_scale + force.norm_sqr());
     }
-    const double share = foundation_share(increment.load_factor);
-    for (unsigned int k = 0; k < foundation_.size(); ++k)
-      R[k] += share * foundation_[k] * u[k];
+    foundation_.add_residual(u, foundation_share(increment.load_factor), R);
     // Prescribed resultants act on the macro unknowns.
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       if (resultant_controlled_[n])
@@ -279,11 +303,7 @@ namespace NPT
       if (!add_contact_tangent(increment, trial, system))
         return false;
     }
-    const double share = foundation_share(increment.load_factor);
-    for (unsigned int k = 0; k < foundation_.size(); ++k)
-      if (foundation_[k] > 0.)
-        system.add(std::vector<unsigned int>(1, k),
-                   std::vector<double>(1, share * foundation_[k]));
+    foundation_.add_tangent(foundation_share(increment.load_factor), system);
     const auto scope = section(timer_, "Tangent: bundles");
     cell_.bodies().add_tangent(trial.u, cell_groups_, system);
     return true;
@@ -321,6 +341,32 @@ namespace NPT
            << " N mm differ by more than the tolerance of the energy "
            << step.content << " N mm";
     throw BranchLeft(detail.str());
+  }
+
+
+
+  SupportForces
+  PlateTestStage::support_forces(const Increment &increment,
+                                 const Trial     &trial) const
+  {
+    SupportForces forces;
+    forces.foundation =
+      foundation_.largest_force(trial.u,
+                                foundation_share(increment.load_factor));
+    forces.pins = largest_pin_force(cell_, trial.residual);
+    for (unsigned int k = 0; k < contacts().size(); ++k)
+      {
+        Vector<double> force(cell_.macro().n_unknowns());
+        contacts()[k]->add_residual(increment.contact[k],
+                                    trial.contact[k],
+                                    force);
+        forces.contact =
+          std::max(forces.contact,
+                   sum_on_bundle(cell_.bodies().space(),
+                                 cell_.fabric().contacts()[k].secondary_bundle,
+                                 force));
+      }
+    return forces;
   }
 
 
@@ -396,28 +442,17 @@ namespace NPT
     // What bodies lose while they relax after that is not known better.
     if (before.load_factor == 0.)
       energies.work_uncertainty += 2. * friction_let_go_;
-    if (foundation_.empty())
+    if (foundation_.is_empty())
       return;
     const double share        = foundation_share(state.load_factor);
-    const double at_full      = foundation_energy(state.u);
+    const double at_full      = foundation_.energy(state.u);
     const double share_before = foundation_share(before.load_factor);
     energies.foundation       = share * at_full;
     if (share != share_before)
       {
         const double work_before = energies.work_uncertainty;
-        add(foundation_energy(before.u), at_full, share - share_before);
+        add(foundation_.energy(before.u), at_full, share - share_before);
         energies.release_uncertainty += energies.work_uncertainty - work_before;
       }
-  }
-
-
-
-  double
-  PlateTestStage::foundation_energy(const Vector<double> &u) const
-  {
-    double energy = 0;
-    for (unsigned int k = 0; k < foundation_.size(); ++k)
-      energy += 0.5 * foundation_[k] * u[k] * u[k];
-    return energy;
   }
 } // namespace NPT

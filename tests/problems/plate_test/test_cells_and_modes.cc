@@ -29,62 +29,6 @@ namespace
     return test.curve();
   }
 
-  struct PinReactions
-  {
-    std::vector<double> force;   // z, then x and y of each body [N]
-    double              largest; // component of a nodal force [N]
-  };
-
-  // At the last accepted state. A pin a.w = b has the reaction f if the
-  // residual, reduced with all couplings but the pins, is f a; its entry at
-  // the unknown that the pin eliminates is f times the weight there.
-  PinReactions
-  pin_reactions(const PlateRun &test)
-  {
-    Pins none;
-    none.used           = false;
-    const auto pinned   = test.couplings(test.pins);
-    const auto unpinned = test.couplings(none);
-
-    const MacroUnknowns   &macro = test.cell.macro();
-    dealii::Vector<double> residual(macro.n_unknowns());
-    test.cell.bodies().add_residual(test.state.u, residual);
-    PinReactions result;
-    result.largest = residual.linfty_norm();
-
-    ConstrainedSystem      free;
-    dealii::Vector<double> reduced;
-    free.reinit(unpinned, macro.n_unknowns());
-    // Of the accepted step: frictional forces depend on the history before it.
-    free.condense(test.trial.residual, reduced);
-    for (unsigned int i = 0; i < macro.first; ++i)
-      if (pinned.is_constrained(i) && !unpinned.is_constrained(i))
-        {
-          double share = 1; // all weights together over this one
-          for (const auto &entry : *pinned.get_constraint_entries(i))
-            if (entry.first < macro.first)
-              share -= entry.second;
-          result.force.push_back(reduced[free.independent_index(i)] * share);
-        }
-    return result;
-  }
-
-  // Vertical force of one crossing [N].
-  double
-  crossing_force(const PlateRun &test)
-  {
-    dealii::Vector<double> force(test.cell.macro().n_unknowns());
-    test.cell.contacts()[0]->add_residual(test.increment.contact[0],
-                                          test.trial.contact[0],
-                                          force);
-    double      sum   = 0;
-    const auto &space = test.cell.bodies().space();
-    const auto  b     = test.cell.fabric().contacts()[0].secondary_bundle;
-    for (unsigned int l = 0; l < space.patch(b).n_control_points(); ++l)
-      sum += force[3 * space.control_point(b, l) + 2];
-    return std::abs(sum);
-  }
-
   // Plane-stress stiffness of a ply from the small-strain stiffness of the
   // law, by classical lamination theory: invert, keep 11, 22, 12, invert.
   dealii::FullMatrix<double>
@@ -252,16 +196,15 @@ TEST_CASE(
 
 
 
-TEST_CASE(
-  "The pins of a woven cell carry no force in tension and shear, and "
-  "in bending and torsion only what comes of contact forces that do not "
-  "turn with the images",
-  "[top]")
+TEST_CASE("The pins of a woven cell carry no force in any mode", "[top]")
 {
-  const auto test = [](const unsigned int m, const std::string &mu) {
-    PlateRun result({"Cell/Type=two-crossing cell",
+  // Nothing outside of the cell pushes: whatever bundles exert on each other,
+  // the cell as a whole is in equilibrium.
+  for (unsigned int m = 0; m < 6; ++m)
+    {
+      INFO("H" << m + 1);
+      PlateRun test({"Cell/Type=two-crossing cell",
                      "Cell/Two-fold axis=false",
-                     "Friction/Friction coefficient=" + mu,
                      "Mesh/Elements along=3",
                      "Mesh/Elements across=3",
                      "Mesh/Elements through=1",
@@ -272,33 +215,31 @@ TEST_CASE(
                        std::to_string(m + 1) + (m < 3 ? ": 0.05" : ": 1e-3"),
                      "Load programme/Stage shear/Initial step=0.5",
                      "Load programme/Stage shear/Maximum step=0.5"});
-    result.run();
-    return std::make_pair(pin_reactions(result), crossing_force(result));
-  };
-  for (unsigned int m = 0; m < 6; ++m)
-    {
-      INFO("H" << m + 1);
-      const auto  reactions = test(m, "0.3").first;
-      const auto &force     = reactions.force;
-      REQUIRE(force.size() == 5);
-      // Measured below 1e-12 N of 1.6 N.
-      const double zero = 1e-8 * reactions.largest;
-      if (m < 3)
-        for (const double f : force)
-          CHECK(std::abs(f) < zero);
-      // The whole cell is in equilibrium in all modes: the vertical pin is
-      // free, and what holds the warp holds the weft.
-      CHECK(std::abs(force[0]) < zero);
-      CHECK(std::abs(force[1] + force[3]) < zero);
-      CHECK(std::abs(force[2] + force[4]) < zero);
-    }
+      test.run();
 
-  // Torsion turns the next strand by H6 Lbar / 2, but the jumps are
-  // displacements: the force F of the crossing with it comes back to the base
-  // cell unturned. Without friction little else than the pins holds it
-  // (measured 0.965 of this).
-  const auto [reactions, F] = test(5, "0");
-  CHECK(std::abs(reactions.force[1]) == Approx(F * 1e-3 * 5. / 2).epsilon(0.1));
+      // With all couplings but the pins the condensed residual shows what the
+      // pins bear: three of its entries.
+      Pins none;
+      none.used             = false;
+      const auto   pinned   = test.couplings();
+      const auto   unpinned = test.couplings(none);
+      const double largest  = test.contact_force().linfty_norm();
+      REQUIRE(largest > 0.1); // [N]
+
+      ConstrainedSystem      free;
+      dealii::Vector<double> reduced;
+      free.reinit(unpinned, test.cell.macro().n_unknowns());
+      free.condense(test.trial.residual, reduced);
+      unsigned int n_pins = 0;
+      for (unsigned int i = 0; i < test.cell.macro().first; ++i)
+        if (pinned.is_constrained(i) && !unpinned.is_constrained(i))
+          {
+            ++n_pins;
+            CHECK(std::abs(reduced[free.independent_index(i)]) <
+                  1e-8 * largest);
+          }
+      CHECK(n_pins == 3);
+    }
 }
 
 
@@ -330,7 +271,9 @@ TEST_CASE("One, two and four crossings give the same frictional shear, with a "
         {
           CHECK(last[1].n[n] == Approx(last[0].n[n]).epsilon(1e-9));
           CHECK(last[2].n[n] == Approx(last[0].n[n]).epsilon(1e-9));
-          CHECK(last[3].n[n] == Approx(last[0].n[n]).epsilon(1e-8));
+          // Without the axis one pin does not keep warp and weft from sliding
+          // off each other while there is no friction: n1 is .5 % lower.
+          CHECK(last[3].n[n] == Approx(last[0].n[n]).epsilon(0.01));
         }
       CHECK(last[1].dissipation ==
             Approx(2 * last[0].dissipation).epsilon(1e-8));

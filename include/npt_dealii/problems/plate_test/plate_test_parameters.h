@@ -95,6 +95,9 @@ namespace NPT
     /// Why the program chose this cell type ("because ..."); empty if the file
     /// names the type.
     std::string reason_for_type;
+    /// Why side contact is on, as a clause; empty if it is off or if the file
+    /// decides.
+    std::string reason_for_side_contact;
 
     /// The complete file with defaults, as it will be kept with the results.
     std::string used_file;

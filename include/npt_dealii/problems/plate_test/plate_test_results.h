@@ -10,6 +10,7 @@
 #include <npt_dealii/problems/plate_results/curve_writer.h>
 #include <npt_dealii/problems/plate_results/step_table.h>
 #include <npt_dealii/problems/plate_test/plate_cell.h>
+#include <npt_dealii/problems/plate_test/plate_test_stage.h>
 
 #include <deal.II/base/timer.h>
 
@@ -67,6 +68,10 @@ namespace NPT
               const LoadStage                     &stage,
               const State                         &state,
               const std::vector<dealii::Point<3>> &woven);
+    /// At the end of a stage: what pins and foundation bear, as a warning if it
+    /// is not small against contact and stays.
+    void
+    report_supports(const unsigned int stage, const SupportForces &forces);
     /// A stage ends before its end: fields and picture of the last accepted
     /// step. What goes wrong is a warning in the log, so that it does not hide
     /// why the stage ended.

@@ -7,6 +7,7 @@
 
 #include <npt_dealii/load_step/equilibrium_problem.h>
 #include <npt_dealii/problems/plate_test/plate_cell.h>
+#include <npt_dealii/problems/plate_test/weaving_foundation.h>
 
 #include <deal.II/base/timer.h>
 
@@ -14,6 +15,14 @@
 
 namespace NPT
 {
+  /// What supports bear that a fabric does not have, against what it has [N].
+  struct SupportForces
+  {
+    double foundation = 0.; ///< largest on a bundle, sum over control points
+    double pins       = 0.; ///< largest component
+    double contact    = 0.; ///< largest of a secondary face, as foundation
+  };
+
   /**
    * A stage drives the macro unknowns from their values at its start to their
    * targets, linearly in the load factor. Unknowns are u = (w of all control
@@ -80,6 +89,9 @@ namespace NPT
     }
     double
     lever_arm(const unsigned int unknown) const override;
+    /// At a converged trial.
+    SupportForces
+    support_forces(const Increment &increment, const Trial &trial) const;
     const ContactPairs &
     contacts() const override
     {
@@ -98,17 +110,12 @@ namespace NPT
     set_loads(const std::vector<LoadStage> &stages, const State &before);
     void
     set_prescribed(ConstrainedSystem &system) const;
-    void
-    make_foundation(const std::vector<LoadStage> &stages);
     State
     make_start(const State &before, const bool friction_was_on) const;
     void
     add_energies(const State &before, const Trial &trial, State &state) const;
     void
     add_work(const State &before, State &state) const;
-    // Of the foundation at full share [N mm].
-    double
-    foundation_energy(const dealii::Vector<double> &u) const;
     // What the release has left of the foundation.
     double
     foundation_share(const double load_factor) const;
@@ -124,9 +131,9 @@ namespace NPT
     std::array<double, MacroUnknowns::n_macro> from_{}, to_{};
     std::array<double, MacroUnknowns::n_modes> force_from_{}, force_to_{};
     std::array<bool, MacroUnknowns::n_modes>   resultant_controlled_{};
-    std::vector<double> foundation_;          // per unknown; empty: none
-    double              friction_let_go_ = 0; // at the start [N mm]
-    State               start_;
+    WeavingFoundation foundation_;          // empty in a load stage
+    double            friction_let_go_ = 0; // at the start [N mm]
+    State             start_;
   };
 } // namespace NPT
 
