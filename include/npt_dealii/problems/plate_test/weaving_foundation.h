@@ -20,7 +20,7 @@ namespace NPT
    *
    * @f[ \delta W = \kappa \int (\delta w_i - \delta w_{m,i})
    *                            (w_i - w_{m,i}) \, dV , \qquad
-   *     \kappa = 4.40704 \cdot 10^{-3} \, G / t^2 , (A24) @f]
+   *     \kappa = 4.40704 \cdot 10^{-3} \, G / t^2 , (A23) @f]
    *
    * integrated with one point per control point. G is the lowest shear modulus
    * of the bundles at rest [MPa], t their mean thickness [mm]; w_m are the
