@@ -146,10 +146,9 @@ TEST_CASE("A step to gradients that leave nothing of the cell fails, whatever "
                                  "Load programme/Stages=weave"});
   const PlateTestStage     stage(
     test.cell, test.parameters, 0, test.state, {}, test.system);
-  Trial trial;
-  trial.u                            = test.state.u;
-  trial.u[test.cell.macro().mode(0)] = -0.9;
-  CHECK_NOTHROW(stage.check(trial));
-  trial.u[test.cell.macro().mode(0)] = -1.1;
-  CHECK_THROWS_AS(stage.check(trial), CellCollapsed);
+  State after                        = test.state;
+  after.u[test.cell.macro().mode(0)] = -0.9;
+  CHECK_NOTHROW(stage.check(test.state, after));
+  after.u[test.cell.macro().mode(0)] = -1.1;
+  CHECK_THROWS_AS(stage.check(test.state, after), CellCollapsed);
 }
