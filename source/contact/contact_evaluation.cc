@@ -88,7 +88,9 @@ namespace NPT
     const double height = c.r * c.surface_normal;
     const double beside =
       std::sqrt(std::max(0., c.r.norm_square() - height * height));
-    return std::min(1., std::max(0., 2. - beside / geometry_.reach));
+    // A thickness is farther than pressed bundles bulge; beyond, the mean over
+    // a control point's support must not be ruled by points that touch nothing.
+    return std::min(1., std::max(0., 2. - beside / geometry_.thickness));
   }
 
 
@@ -141,7 +143,7 @@ namespace NPT
         if (!c.found)
           continue;
         const double distance = geometry_.is_deep(c) ?
-                                  1e6 * (c.r.norm() + geometry_.reach) :
+                                  1e6 * (c.r.norm() + geometry_.thickness) :
                                   c.r.norm();
         // A later candidate must be better by more than round-off.
         if (distance < best * (1 - 1e-9))
@@ -267,7 +269,7 @@ namespace NPT
     state                        = NodeState<dim>();
     if (!(step.reach.of_node[I] > 0.)) // no partner: as open as can be told
       {
-        state.gap = geometry_.reach;
+        state.gap = geometry_.thickness;
         return;
       }
     for (const auto &entry : geometry_.averaging.nodes()[I].entries)

@@ -16,11 +16,6 @@ namespace NPT
 
   namespace
   {
-    // Beside an edge the partner is out of reach from half a thickness on:
-    // pressed surfaces do not bulge farther, and the mean over a control
-    // point's support must not be ruled by points that touch nothing.
-    constexpr double relative_reach = 0.5;
-
     template <int dim>
     ContactGeometry<dim>
     make_geometry(const ContactSurface<dim>              &secondary,
@@ -37,7 +32,7 @@ namespace NPT
                 Averaging::mortar<dim>(secondary.surface(), points) :
                 Averaging::pointwise<dim>(points),
               contact.maximum_penetration * thickness,
-              relative_reach * thickness};
+              thickness};
     }
   } // namespace
 

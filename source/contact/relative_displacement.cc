@@ -38,8 +38,8 @@ namespace NPT
         reference.start = slip[q].sigma;
         // Points out of reach do not slide on anything. Their part fades, so
         // that no point enters or leaves the average at once.
-        reference.weight =
-          std::min(1., std::max(0., 2. - slip[q].d.norm() / geometry.reach));
+        reference.weight = std::min(
+          1., std::max(0., 2. - slip[q].d.norm() / (0.5 * geometry.thickness)));
       }
 
     const auto &nodes = geometry.averaging.nodes();

@@ -102,6 +102,9 @@ namespace
   /// Entries that reading fills in where the file leaves it to the program.
   const std::set<std::string> completed = {"Cell/Type",
                                            "Cell/Side contact",
+                                           "Cell/Smooth closure",
+                                           "Contact/Penetration tolerance",
+                                           "Contact/Stick tolerance",
                                            "Weft material/Law",
                                            "Micro cell/Fiber radius"};
 

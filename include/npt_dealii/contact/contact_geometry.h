@@ -28,8 +28,8 @@ namespace NPT
     Averaging                                              averaging;
     /// Deeper than this a point cannot be told from one behind the body [mm].
     double maximum_penetration;
-    /// A point farther than this beside a surface has no partner there [mm].
-    double reach;
+    /// Of the thinner body [mm]: the reach beside the end of a surface.
+    double thickness;
 
     bool
     is_deep(const ClosestPoint<dim> &c) const

@@ -60,7 +60,7 @@ namespace NPT
 
     /**
      * @param thickness Of the thinner body [mm]. Maximum penetration is a
-     *   fraction of it, and half of it is the reach beside an edge.
+     *   fraction of it, and it is the reach beside an edge.
      */
     ContactPair(const ContactSurface<dim>              &secondary,
                 const std::vector<ContactSurface<dim>> &primaries,

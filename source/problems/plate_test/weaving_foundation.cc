@@ -26,7 +26,9 @@ namespace NPT
       for (const auto &law : cell.bodies().laws())
         {
           const auto C = law->small_strain_stiffness();
-          for (unsigned int shear = 3; shear < 6; ++shear)
+          // Voigt's order: the shears are the last ones.
+          const unsigned int n_axes = 3;
+          for (unsigned int shear = n_axes; shear < C.m(); ++shear)
             G = std::min(G, C(shear, shear));
         }
       const double t = cell.fabric().weaving_offset();

@@ -210,6 +210,7 @@ TEST_CASE("A run in which the bundles penetrate each other deeply says so",
                                  "Mesh/Elements across=3",
                                  "Mesh/Elements through=1",
                                  "Contact/Normal penalty=" + penalty,
+                                 "Contact/Maximum overlap=1",
                                  "Load programme/Stages=weave, release"}),
       "",
       screen);
