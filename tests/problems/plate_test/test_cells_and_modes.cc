@@ -255,25 +255,29 @@ TEST_CASE("One, two and four crossings give the same frictional shear, with a "
                                      "two-crossing cell",
                                      "unit cell",
                                      "two-crossing cell with pins"})
-        last.push_back(run({"Cell/Type=" + type.substr(0, type.find(" with")),
-                            std::string("Cell/Two-fold axis=") +
-                              (last.size() == 3 ? "false" : "true"),
-                            "Cell/Smooth closure=" + smooth,
-                            "Mesh/Elements along=3",
-                            "Mesh/Elements across=3",
-                            "Mesh/Elements through=1",
-                            "Newton/Relative tolerance=1e-10",
-                            "Load programme/Stage shear/Initial step=0.2",
-                            "Load programme/Stage shear/Maximum step=0.2"})
-                         .back());
+        last.push_back(
+          run({"Cell/Type=" + type.substr(0, type.find(" with")),
+               std::string("Cell/Two-fold axis=") +
+                 (last.size() == 3 ? "false" : "true"),
+               std::string("Load programme/Stage release/") +
+                 "Friction=" + (last.size() == 3 ? "true" : "false"),
+               "Cell/Smooth closure=" + smooth,
+               "Mesh/Elements along=3",
+               "Mesh/Elements across=3",
+               "Mesh/Elements through=1",
+               "Newton/Relative tolerance=1e-10",
+               "Load programme/Stage shear/Initial step=0.2",
+               "Load programme/Stage shear/Maximum step=0.2"})
+            .back());
       // Image meshes: equal to solver tolerance.
       for (unsigned int n = 0; n < 3; ++n)
         {
           CHECK(last[1].n[n] == Approx(last[0].n[n]).epsilon(1e-9));
           CHECK(last[2].n[n] == Approx(last[0].n[n]).epsilon(1e-9));
-          // Without the axis one pin does not keep warp and weft from sliding
-          // off each other while there is no friction: n1 is .5 % lower.
-          CHECK(last[3].n[n] == Approx(last[0].n[n]).epsilon(0.01));
+          // One pin does not keep warp and weft from sliding off each other
+          // where the axis is no constraint. Friction does when the foundation
+          // fades, but some way they have gone in weaving.
+          CHECK(last[3].n[n] == Approx(last[0].n[n]).epsilon(0.02));
         }
       CHECK(last[1].dissipation ==
             Approx(2 * last[0].dissipation).epsilon(1e-8));
