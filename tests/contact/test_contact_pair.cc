@@ -481,7 +481,7 @@ namespace
                  Basis::NURBS,
                  {},
                  slip_measures[0],
-                 0.1); // its half thickness
+                 0.05); // its half thickness
     const auto rest    = [](const Point<2> &X) { return X; };
     const auto pressed = pair.displacement(rest, [=](const Point<2> &X) {
       return Point<2>(X[0], X[1] - depth);
@@ -573,7 +573,7 @@ TEST_CASE("The shares of all nodes in a point add up to its area, faded where "
                Basis::NURBS,
                {},
                slip_measures[0],
-               0.5);
+               0.25); // half the thickness
   const auto zero = pair.zero();
   pair.begin_step(zero);
   const auto         &points = pair.contact.quadrature_points();

@@ -35,7 +35,9 @@ namespace NPT
         RunSummary summary = summarize();
         summary.status     = "failed";
         summary.reason     = failure.reason();
-        summary.message    = failure.what();
+        if (summary.stage.empty()) // not even one step
+          summary.stage = failure.stage();
+        summary.message = failure.what();
         // The curve has the cuts of accepted steps only.
         unsigned int cuts_of_stage = 0;
         for (const CurveRow &row : test.curve())

@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 namespace
 {
   PlateTestParameters
-  coarse(const std::vector<std::string> &more)
+  coarse(const std::vector<std::string> &more, const std::string &n_along = "3")
   {
     std::vector<std::string> overrides = {
-      "Mesh/Elements along=3",
+      "Mesh/Elements along=" + n_along,
       "Mesh/Elements across=3",
       "Mesh/Elements through=1",
       "Load programme/Stage weave/Initial step=0.1"};
@@ -99,6 +99,8 @@ TEST_CASE("A stage that fails leaves fields, pictures, warnings and the advice "
   std::ostringstream    screen;
   NumericalPlateTesting test(
     coarse({"Contact/Normal penalty=10",
+            "Contact/Maximum overlap=1",
+            "Stability/On loss of ellipticity=stop",
             "Load programme/Stages=weave, release, squeeze",
             "Load programme/Stage squeeze/Targets=H1: -0.95",
             "Load programme/Stage squeeze/Initial step=0.1",
@@ -138,7 +140,7 @@ TEST_CASE("Stiff yarn that cannot be woven at fixed width is woven without a "
                                          "Load programme/Stage weave/"
                                          "Minimum step=0.01"};
   std::ostringstream             screen;
-  NumericalPlateTesting          fixed(coarse(yarn), "", screen);
+  NumericalPlateTesting          fixed(coarse(yarn, "4"), "", screen);
   const StageFailed              failure = failure_of(fixed);
   CHECK(failure.stage() == "weave");
   CHECK_THAT(failure.advice(),
@@ -146,14 +148,14 @@ TEST_CASE("Stiff yarn that cannot be woven at fixed width is woven without a "
 
   auto advised = yarn;
   advised.push_back("Load programme/Stage weave/Targets=n1: 0, n2: 0");
-  NumericalPlateTesting free(coarse(advised), "", screen);
+  NumericalPlateTesting free(coarse(advised, "4"), "", screen);
   free.run();
   unsigned int cuts = 0;
   for (const CurveRow &row : free.curve())
     cuts += row.cuts;
   CHECK(cuts == 0);
-  // 5 x 5 elements have 1.06 N/mm.
-  CHECK(free.curve().back().n[2] == Approx(1.06).epsilon(0.03));
+  // 5 x 5 elements have 1.06 N/mm; this mesh is 5 % off.
+  CHECK(free.curve().back().n[2] == Approx(1.06).epsilon(0.08));
 }
 
 

@@ -26,7 +26,7 @@ namespace NPT
     /// The sentence of the program, "" if done.
     std::string message;
 
-    std::string  stage;                 ///< last one with an accepted step
+    std::string  stage; ///< last one with an accepted step, or first
     double       load_factor       = 0; ///< reached in that stage
     unsigned int steps             = 0; ///< accepted, all stages
     unsigned int newton_iterations = 0; ///< of accepted steps, all stages
