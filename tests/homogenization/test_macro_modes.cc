@@ -257,6 +257,8 @@ TEST_CASE(
   for (const std::string tree : {"source", "include/npt_dealii"})
     for (const std::string room : {"fabric",
                                    "homogenization",
+                                   "problems/load_programme",
+                                   "problems/plate_results",
                                    "problems/plate_test",
                                    "problems/parameter_study"})
       for (const auto &entry : std::filesystem::directory_iterator(

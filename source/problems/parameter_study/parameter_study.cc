@@ -4,10 +4,10 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/problem.h>
 #include <npt_dealii/io/replace_file.h>
-#include <npt_dealii/problems/parameter_study/curve_family.h>
 #include <npt_dealii/problems/parameter_study/parameter_study.h>
 #include <npt_dealii/problems/parameter_study/stability_map.h>
 #include <npt_dealii/problems/parameter_study/work_precision.h>
+#include <npt_dealii/problems/plate_results/curve_family.h>
 
 #include <deal.II/base/mpi.h>
 

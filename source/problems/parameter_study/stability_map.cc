@@ -4,7 +4,7 @@
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/problems/parameter_study/stability_map.h>
-#include <npt_dealii/problems/parameter_study/study_plots.h>
+#include <npt_dealii/problems/plate_results/study_plots.h>
 
 #include <algorithm>
 #include <cmath>

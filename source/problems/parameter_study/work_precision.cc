@@ -4,8 +4,8 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/table_file.h>
-#include <npt_dealii/problems/parameter_study/study_plots.h>
 #include <npt_dealii/problems/parameter_study/work_precision.h>
+#include <npt_dealii/problems/plate_results/study_plots.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/homogenization/cell_modes.h>
+#include <npt_dealii/problems/load_programme/macro_limits.h>
+#include <npt_dealii/problems/load_programme/neighbor_distance.h>
 #include <npt_dealii/problems/plate_test/cell_sizes.h>
-#include <npt_dealii/problems/plate_test/macro_limits.h>
-#include <npt_dealii/problems/plate_test/neighbor_distance.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 
 #include <tuple>

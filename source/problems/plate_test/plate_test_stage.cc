@@ -4,8 +4,8 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/homogenization/cell_modes.h>
 #include <npt_dealii/load_step/branch_left.h>
+#include <npt_dealii/problems/load_programme/macro_limits.h>
 #include <npt_dealii/problems/plate_test/cell_sizes.h>
-#include <npt_dealii/problems/plate_test/macro_limits.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/io/table_file.h>
-#include <npt_dealii/problems/parameter_study/curve_family.h>
 #include <npt_dealii/problems/parameter_study/work_precision.h>
+#include <npt_dealii/problems/plate_results/curve_family.h>
 
 #include <catch2/catch.hpp>
 

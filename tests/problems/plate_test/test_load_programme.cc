@@ -3,7 +3,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
-#include <npt_dealii/problems/plate_test/load_programme.h>
+#include <npt_dealii/problems/load_programme/load_programme.h>
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/homogenization/cell_modes.h>
-#include <npt_dealii/problems/plate_test/macro_limits.h>
+#include <npt_dealii/problems/load_programme/macro_limits.h>
 
 #include <catch2/catch.hpp>
 

@@ -12,7 +12,7 @@
 #include <npt_dealii/linear_algebra/linear_solver.h>
 #include <npt_dealii/load_step/newton.h>
 #include <npt_dealii/material/make_material.h>
-#include <npt_dealii/problems/plate_test/load_programme.h>
+#include <npt_dealii/problems/load_programme/load_programme.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Defines whether parallel bundles can come near each other in a plate test.
 
-#ifndef npt_dealii_problems_plate_test_neighbor_distance_h
-#define npt_dealii_problems_plate_test_neighbor_distance_h
+#ifndef npt_dealii_problems_load_programme_neighbor_distance_h
+#define npt_dealii_problems_load_programme_neighbor_distance_h
 
 #include <npt_dealii/fabric/cell_parameters.h>
-#include <npt_dealii/problems/plate_test/load_programme.h>
+#include <npt_dealii/problems/load_programme/load_programme.h>
 
 #include <string>
 

@@ -4,7 +4,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/message_words.h>
 #include <npt_dealii/homogenization/macro_modes.h>
-#include <npt_dealii/problems/plate_test/load_programme.h>
+#include <npt_dealii/problems/load_programme/load_programme.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>

@@ -4,7 +4,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/message_words.h>
 #include <npt_dealii/base/short_number.h>
-#include <npt_dealii/problems/plate_test/macro_limits.h>
+#include <npt_dealii/problems/load_programme/macro_limits.h>
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 // Defines the pictures of a plain sweep: the curves of all cases in one
 // picture, and the course of the Newton iterations.
 
-#ifndef npt_dealii_problems_parameter_study_curve_family_h
-#define npt_dealii_problems_parameter_study_curve_family_h
+#ifndef npt_dealii_problems_plate_results_curve_family_h
+#define npt_dealii_problems_plate_results_curve_family_h
 
 #include <npt_dealii/problems/plate_results/curve_writer.h>
 

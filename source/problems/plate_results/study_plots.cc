@@ -2,7 +2,7 @@
 // Lines and sizes of the pictures of studies.
 
 #include <npt_dealii/io/gnuplot.h>
-#include <npt_dealii/problems/parameter_study/study_plots.h>
+#include <npt_dealii/problems/plate_results/study_plots.h>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Defines the list of stages that a run goes through and their targets.
 
-#ifndef npt_dealii_problems_plate_test_load_programme_h
-#define npt_dealii_problems_plate_test_load_programme_h
+#ifndef npt_dealii_problems_load_programme_load_programme_h
+#define npt_dealii_problems_load_programme_load_programme_h
 
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/load_step/step_control.h>

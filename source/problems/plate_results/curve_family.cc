@@ -2,9 +2,9 @@
 // Tables and pictures of families of curves.
 
 #include <npt_dealii/io/table_file.h>
-#include <npt_dealii/problems/parameter_study/curve_family.h>
-#include <npt_dealii/problems/parameter_study/study_plots.h>
+#include <npt_dealii/problems/plate_results/curve_family.h>
 #include <npt_dealii/problems/plate_results/plots.h>
+#include <npt_dealii/problems/plate_results/study_plots.h>
 
 #include <algorithm>
 #include <ostream>

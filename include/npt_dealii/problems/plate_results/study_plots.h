@@ -2,8 +2,8 @@
 // Defines what the pictures of all studies have in common: panels of one size,
 // colors and symbols of curves.
 
-#ifndef npt_dealii_problems_parameter_study_study_plots_h
-#define npt_dealii_problems_parameter_study_study_plots_h
+#ifndef npt_dealii_problems_plate_results_study_plots_h
+#define npt_dealii_problems_plate_results_study_plots_h
 
 #include <npt_dealii/io/gnuplot.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Defines which macroscopic gradients leave something of the cell.
 
-#ifndef npt_dealii_problems_plate_test_macro_limits_h
-#define npt_dealii_problems_plate_test_macro_limits_h
+#ifndef npt_dealii_problems_load_programme_macro_limits_h
+#define npt_dealii_problems_load_programme_macro_limits_h
 
 #include <npt_dealii/homogenization/macro_modes.h>
-#include <npt_dealii/problems/plate_test/load_programme.h>
+#include <npt_dealii/problems/load_programme/load_programme.h>
 
 #include <array>
 #include <optional>

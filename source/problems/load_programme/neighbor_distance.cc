@@ -4,7 +4,7 @@
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/homogenization/macro_modes.h>
-#include <npt_dealii/problems/plate_test/neighbor_distance.h>
+#include <npt_dealii/problems/load_programme/neighbor_distance.h>
 
 #include <deal.II/base/numbers.h>
 
