@@ -203,10 +203,9 @@ namespace NPT
       "instead of continuously only (C0). Needs the NURBS basis. It takes "
       "away the kink at the seam and three unknowns per control point of "
       "it; mind that a bundle then has less freedom than with C0 seams, so "
-      "that a coarse mesh is stiffer. automatic: true in twills and satins, "
-      "where a bundle passes two crossings on the same side, so that its seam "
-      "bends and its edges would fold there; false in plain weaves, ribs and "
-      "baskets.");
+      "that a coarse mesh is stiffer. automatic: true in all weaves but the "
+      "plain one, because elsewhere bundles pass two crossings on the same "
+      "side, so that their seams bend and their edges would fold there.");
   }
 
 

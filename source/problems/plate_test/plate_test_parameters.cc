@@ -154,16 +154,11 @@ namespace NPT
     }
 
     // Whether bundles bend at their seams: they pass two crossings on the same
-    // side. In ribs and baskets, plain weaves of pairs, the bundles of a pair
-    // lie side by side there.
+    // side.
     bool
     seams_bend(const CellParameters &cell)
     {
-      if (cell.type == "laminate")
-        return false;
-      const WeavePattern weave(cell.weave);
-      return !weave.is_plain() && !weave.has_equal_neighbors(true) &&
-             !weave.has_equal_neighbors(false);
+      return cell.type != "laminate" && !WeavePattern(cell.weave).is_plain();
     }
 
     void
