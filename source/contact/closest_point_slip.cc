@@ -188,16 +188,16 @@ namespace NPT
   {
     template <int dim>
     NamedSlipMeasure<dim>
-    named()
+    closest_point_slip()
     {
       return {"increments of the closest point's parameters, Eqs. (20), (24) "
               "of the paper; agrees with relative displacement as the load "
               "steps become small",
               []() { return std::make_unique<ClosestPointSlip<dim>>(); }};
     }
-    const Registry<NamedSlipMeasure<2>>::Registration in_plane("closest point",
-                                                               named<2>());
-    const Registry<NamedSlipMeasure<3>>::Registration in_space("closest point",
-                                                               named<3>());
+    const Registry<NamedSlipMeasure<2>>::Registration
+      closest_point_slip_in_plane("closest point", closest_point_slip<2>());
+    const Registry<NamedSlipMeasure<3>>::Registration
+      closest_point_slip_in_space("closest point", closest_point_slip<3>());
   } // namespace
 } // namespace NPT

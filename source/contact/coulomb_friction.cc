@@ -145,7 +145,7 @@ namespace NPT
   {
     template <int m>
     NamedFrictionLaw<m>
-    named()
+    coulomb_friction()
     {
       return {"traction up to mu times the pressure, (12)-(14)",
               [](const FrictionParameters &parameters) {
@@ -153,9 +153,9 @@ namespace NPT
                   parameters.coefficient, parameters.tangential_penalty);
               }};
     }
-    const Registry<NamedFrictionLaw<1>>::Registration in_plane("Coulomb",
-                                                               named<1>());
-    const Registry<NamedFrictionLaw<2>>::Registration in_space("Coulomb",
-                                                               named<2>());
+    const Registry<NamedFrictionLaw<1>>::Registration
+      coulomb_friction_in_plane("Coulomb", coulomb_friction<1>());
+    const Registry<NamedFrictionLaw<2>>::Registration
+      coulomb_friction_in_space("Coulomb", coulomb_friction<2>());
   } // namespace
 } // namespace NPT

@@ -287,7 +287,7 @@ namespace NPT
   {
     template <int dim>
     NamedSlipMeasure<dim>
-    named()
+    relative_displacement()
     {
       return {"slip of a point against the material point of the other surface "
               "that it touched when the load step began, (A16); smooth at "
@@ -295,8 +295,10 @@ namespace NPT
               []() { return std::make_unique<RelativeDisplacement<dim>>(); }};
     }
     const Registry<NamedSlipMeasure<2>>::Registration
-      in_plane("relative displacement", named<2>());
+      relative_displacement_in_plane("relative displacement",
+                                     relative_displacement<2>());
     const Registry<NamedSlipMeasure<3>>::Registration
-      in_space("relative displacement", named<3>());
+      relative_displacement_in_space("relative displacement",
+                                     relative_displacement<3>());
   } // namespace
 } // namespace NPT

@@ -178,12 +178,11 @@ namespace NPT
               patch};
     }
 
-    using Registration = Registry<SectionShape>::Registration;
+    using ArchSection = Registry<SectionShape>::Registration;
 
-    const Registration lens("lens", arch(2., lens_area, lens_patch));
-    const Registration ellipse("ellipse",
-                               arch(1., ellipse_area, ellipse_patch));
-    const Registration power_ellipse(
+    const ArchSection lens("lens", arch(2., lens_area, lens_patch));
+    const ArchSection ellipse("ellipse", arch(1., ellipse_area, ellipse_patch));
+    const ArchSection power_ellipse(
       "power ellipse",
       {power_half_height,
        power_area,

@@ -14,8 +14,6 @@ using Catch::Matchers::Contains;
 
 namespace
 {
-  const double pi = std::acos(-1.);
-
 
 
   template <int m>
@@ -405,8 +403,11 @@ TEST_CASE("Both C0 bases average by the same functions on a polynomial patch",
 TEST_CASE("The faces of a quarter tube have their exact areas", "[iga]")
 {
   const IGASpace<3> space({quarter_tube(1., 2., 3.)}, {}, Basis::NURBS);
-  const double      ring      = 0.75 * pi;
-  const double expected[3][2] = {{1.5 * pi, 3. * pi}, {3., 3.}, {ring, ring}};
+  const double      ring           = 0.75 * dealii::numbers::PI;
+  const double      expected[3][2] = {{1.5 * dealii::numbers::PI,
+                                       3. * dealii::numbers::PI},
+                                      {3., 3.},
+                                      {ring, ring}};
   for (unsigned int direction = 0; direction < 3; ++direction)
     for (unsigned int side = 0; side < 2; ++side)
       {

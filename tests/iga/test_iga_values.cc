@@ -16,8 +16,6 @@ using Catch::Matchers::Contains;
 
 namespace
 {
-  const double pi = std::acos(-1.);
-
 
 
   // Against the functions without extraction, their derivatives by
@@ -257,13 +255,13 @@ TEST_CASE("The quarter ring and tube have their exact volume", "[iga]")
       NURBSPatch<2> ring = quarter_ring(1., 2.);
       ring.subdivide(1, 3);
       // The integrand is rational; eight points integrate it to rounding.
-      CHECK(std::abs(volume(IGASpace<2>({ring}, {}, basis), 8) - 0.75 * pi) <
-            1e-13);
+      CHECK(std::abs(volume(IGASpace<2>({ring}, {}, basis), 8) -
+                     0.75 * dealii::numbers::PI) < 1e-13);
       NURBSPatch<3> tube = quarter_tube(1., 2., 3.);
       tube.subdivide(1, 2);
       // As above.
-      CHECK(std::abs(volume(IGASpace<3>({tube}, {}, basis), 8) - 2.25 * pi) <
-            1e-12);
+      CHECK(std::abs(volume(IGASpace<3>({tube}, {}, basis), 8) -
+                     2.25 * dealii::numbers::PI) < 1e-12);
     }
 }
 
@@ -277,8 +275,9 @@ TEST_CASE("A ring of quadratic Lagrange elements converges with order four",
     {
       NURBSPatch<2> ring = quarter_ring(1., 2.);
       ring.subdivide(1, parts);
-      error.push_back(std::abs(
-        volume(IGASpace<2>({ring}, {}, Basis::Lagrange), 3) - 0.75 * pi));
+      error.push_back(
+        std::abs(volume(IGASpace<2>({ring}, {}, Basis::Lagrange), 3) -
+                 0.75 * dealii::numbers::PI));
     }
   // Area of an isoparametric circle: h^{2p} = h^4.
   CHECK(error[0] > 1e-5);
@@ -307,7 +306,7 @@ TEST_CASE("Patches of different degrees have their own points", "[iga]")
   for (unsigned int q = 0; q < 9; ++q)
     CHECK(values.quadrature_point(q).norm() < 2.);
   // Quarter turns in one span: twelve points for rounding.
-  CHECK(std::abs(volume(space, 12) - 2. * pi) < 1e-12);
+  CHECK(std::abs(volume(space, 12) - 2. * dealii::numbers::PI) < 1e-12);
 }
 
 

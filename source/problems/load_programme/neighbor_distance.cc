@@ -21,7 +21,7 @@ namespace NPT
     // bundles widen and wave.
     const double reach = 1.1;
 
-    constexpr unsigned int H3 = MacroModes::number_of("H3");
+    constexpr unsigned int shear = MacroModes::number_of("H3");
 
     using Gradients = std::array<double, MacroModes::n>;
 
@@ -30,10 +30,10 @@ namespace NPT
     double
     relative_distance(const Gradients &H, const bool warp, const double t)
     {
-      const double F_11 = 1. + H[0], F_22 = 1. + H[1], F_12 = 0.5 * H[H3];
+      const double F_11 = 1. + H[0], F_22 = 1. + H[1], F_12 = 0.5 * H[shear];
       const double determinant = F_11 * F_22 - F_12 * F_12;
       const double length      = std::hypot(F_12, warp ? F_11 : F_22);
-      const double bending     = std::abs(H[warp ? H3 + 2 : H3 + 1]);
+      const double bending     = std::abs(H[warp ? shear + 2 : shear + 1]);
       return determinant / length * (1. - t * bending);
     }
 
@@ -81,7 +81,7 @@ namespace NPT
               return "how far " + what + " compresses is not known in advance";
             if (!mode.is_extension() && *force_[n] != 0.)
               return "how far " + what + " goes is not known in advance";
-            if (n == H3 && shears_by_itself_)
+            if (n == shear && shears_by_itself_)
               return "a weave without mirror planes shears by itself at " +
                      what;
           }

@@ -7,13 +7,6 @@
 
 namespace NPT
 {
-  namespace
-  {
-    constexpr unsigned int n_macro = SolidMacroUnknowns::n_macro;
-  }
-
-
-
   MicroCellProblem::MicroCellProblem(const DeformableBodies             &bodies,
                                      const DeformableBodies::CellGroups &groups,
                                      const SolidMacroUnknowns           &macro,
@@ -28,7 +21,7 @@ namespace NPT
     , system_(system)
   {
     std::vector<bool> prescribed(system.n_independent(), false);
-    for (unsigned int e = 0; e < n_macro; ++e)
+    for (unsigned int e = 0; e < SolidMacroUnknowns::n_macro; ++e)
       prescribed[system.independent_index(macro.first + e)] =
         !test.stress_controlled[e];
     system.set_prescribed(prescribed);
@@ -41,8 +34,8 @@ namespace NPT
   {
     State state;
     state.u.reinit(macro_.n_unknowns());
-    state.applied.assign(n_macro, 0.);
-    state.reactions.assign(n_macro, 0.);
+    state.applied.assign(SolidMacroUnknowns::n_macro, 0.);
+    state.reactions.assign(SolidMacroUnknowns::n_macro, 0.);
     return state;
   }
 
@@ -55,8 +48,8 @@ namespace NPT
     Increment increment;
     increment.load_factor = load_factor;
     system_.restrict_to_independent(accepted.u, increment.target);
-    increment.applied.assign(n_macro, 0.);
-    for (unsigned int e = 0; e < n_macro; ++e)
+    increment.applied.assign(SolidMacroUnknowns::n_macro, 0.);
+    for (unsigned int e = 0; e < SolidMacroUnknowns::n_macro; ++e)
       if (test_.stress_controlled[e])
         increment.applied[e] = load_factor * test_.target[e];
       else
@@ -73,7 +66,7 @@ namespace NPT
     trial.residual.reinit(trial.u.size());
     trial.force_scale = bodies_.add_residual(trial.u, trial.residual);
     // Prescribed stresses act on the macro unknowns.
-    for (unsigned int e = 0; e < n_macro; ++e)
+    for (unsigned int e = 0; e < SolidMacroUnknowns::n_macro; ++e)
       if (test_.stress_controlled[e])
         trial.residual[macro_.first + e] -= increment.applied[e] * volume_;
   }
@@ -107,7 +100,7 @@ namespace NPT
     State state = EquilibriumProblem::accept(before, increment, trial);
     // Reactions of the macro unknowns. The residual has the prescribed stress
     // taken off already.
-    for (unsigned int e = 0; e < n_macro; ++e)
+    for (unsigned int e = 0; e < SolidMacroUnknowns::n_macro; ++e)
       state.reactions.push_back(
         trial.condensed[system_.independent_index(macro_.first + e)] / volume_ +
         (test_.stress_controlled[e] ? increment.applied[e] : 0.));

@@ -14,7 +14,7 @@
 
 namespace NPT
 {
-  using Kind = ParameterText::Kind;
+  using StatementKind = ParameterText::Kind;
 
   namespace
   {
@@ -325,11 +325,14 @@ namespace NPT
                                    "'Subsection/Entry=value'");
         for (std::size_t i = 0; i + 1 < path.size(); ++i)
           result.statements.push_back(
-            {Kind::subsection, path[i], "", where, 0});
-        result.statements.push_back(
-          {Kind::set, path.back(), trim(item.substr(equal + 1)), where, 0});
+            {StatementKind::subsection, path[i], "", where, 0});
+        result.statements.push_back({StatementKind::set,
+                                     path.back(),
+                                     trim(item.substr(equal + 1)),
+                                     where,
+                                     0});
         for (std::size_t i = 0; i + 1 < path.size(); ++i)
-          result.statements.push_back({Kind::end, "", "", where, 0});
+          result.statements.push_back({StatementKind::end, "", "", where, 0});
       }
     return result;
   }
@@ -345,7 +348,7 @@ namespace NPT
     std::size_t inside = 0;
     for (const ParameterText::Statement &statement : text.statements)
       {
-        if (statement.kind == Kind::subsection)
+        if (statement.kind == StatementKind::subsection)
           {
             path.push_back(statement.name);
             if (inside == 0 && joined(path, "/") == wanted)
@@ -354,7 +357,7 @@ namespace NPT
                 continue;
               }
           }
-        else if (statement.kind == Kind::end)
+        else if (statement.kind == StatementKind::end)
           {
             const bool closes = inside == path.size();
             path.pop_back();
@@ -379,20 +382,20 @@ namespace NPT
     unsigned int       depth = 0;
     for (const ParameterText::Statement &statement : text.statements)
       {
-        if (statement.kind == Kind::end)
+        if (statement.kind == StatementKind::end)
           --depth;
         out << std::string(2 * depth, ' ');
         switch (statement.kind)
           {
-            case Kind::subsection:
+            case StatementKind::subsection:
               out << "subsection " << statement.name << '\n';
               ++depth;
               break;
-            case Kind::set:
+            case StatementKind::set:
               out << "set " << statement.name << " = " << statement.value
                   << '\n';
               break;
-            case Kind::end:
+            case StatementKind::end:
               out << "end\n";
               break;
           }

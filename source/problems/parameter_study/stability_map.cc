@@ -16,14 +16,14 @@ namespace NPT
 {
   namespace
   {
-    const std::string done      = "done, no cuts";
-    const std::string done_cuts = "done, with cuts";
+    const std::string all_done       = "done, no cuts";
+    const std::string done_with_cuts = "done, with cuts";
 
     std::string
     outcome(const RunSummary &result)
     {
       if (result.status == "done")
-        return result.cuts == 0 ? done : done_cuts;
+        return result.cuts == 0 ? all_done : done_with_cuts;
       return result.reason;
     }
 
@@ -33,8 +33,8 @@ namespace NPT
     {
       // Reasons have the same color in all maps.
       static const std::map<std::string, std::string> colors = {
-        {done, "#9ecae1"},
-        {done_cuts, "#3182bd"},
+        {all_done, "#9ecae1"},
+        {done_with_cuts, "#3182bd"},
         {"iteration limit", "#fdae6b"},
         {"line search failed", "#d55e00"},
         {"loss of ellipticity", "#cc79a7"},
@@ -94,7 +94,7 @@ namespace NPT
         , y_axis_(y_axis)
         , panels_(panels)
         , cells_(cells)
-        , outcomes_({done, done_cuts})
+        , outcomes_({all_done, done_with_cuts})
         , n_columns_(panels.size() <= 3 ? panels.size() :
                      panels.size() == 4 ? 2 :
                                           4)

@@ -29,7 +29,7 @@ namespace NPT
 
   namespace
   {
-    const std::string place = " (subsection Study).";
+    const std::string in_study = " (subsection Study).";
 
     void
     append(ParameterText &text, const ParameterText &more)
@@ -274,7 +274,7 @@ namespace NPT
       throw InputError("Curve is '" + curve_ +
                        "'; it must be 'automatic' or two columns of "
                        "curves.csv, as in 'H3: n3'" +
-                       place);
+                       in_study);
     x_column  = parts[0];
     y_columns = split_list(parts[1]);
     curve_value(CurveRow(), x_column); // throws if there is none
@@ -283,7 +283,7 @@ namespace NPT
     if (kind == Kind::work_precision && y_columns.size() > 1)
       throw InputError("Curve names " + std::to_string(y_columns.size()) +
                        " ordinates; a work-precision study compares one" +
-                       place);
+                       in_study);
   }
 
 
@@ -326,7 +326,7 @@ namespace NPT
           get_entry(texts.bases.back(), {}, "Problem").value_or("plate test");
         if (problem != "plate test")
           throw InputError("The base file '" + file + "' is a " + problem +
-                           "; studies run plate tests" + place);
+                           "; studies run plate tests" + in_study);
       }
   }
 
@@ -338,20 +338,20 @@ namespace NPT
     for (const auto *names : {&panels, &axes, &series})
       for (const std::string &name : *names)
         if (name != "automatic")
-          loops->find(name, place);
+          loops->find(name, in_study);
     if (kind != Kind::stability_map)
       return;
     if (loops->axis_sizes().size() < 2 || axes.size() == 1)
       throw InputError(
         "A stability map needs two swept entries as axes, found " +
         std::to_string(loops->axis_sizes().size()) +
-        " loops; write values in braces, {10 | 100}" + place);
-    if (!axes.empty() && loops->loops()[loops->find(axes[0], place)].axis ==
-                           loops->loops()[loops->find(axes[1], place)].axis)
+        " loops; write values in braces, {10 | 100}" + in_study);
+    if (!axes.empty() && loops->loops()[loops->find(axes[0], in_study)].axis ==
+                           loops->loops()[loops->find(axes[1], in_study)].axis)
       throw InputError("The Axes " + axes[0] + " and " + axes[1] +
                        " go along with each other; a map needs two "
                        "independent loops {...}" +
-                       place);
+                       in_study);
   }
 
 
@@ -389,7 +389,8 @@ namespace NPT
               return s.name == stage;
             }))
           throw InputError("Stage is '" + stage +
-                           "', which the load programme does not have" + place);
+                           "', which the load programme does not have" +
+                           in_study);
         return found;
       }
     catch (const InputError &error)
@@ -436,7 +437,7 @@ namespace NPT
         if (!texts.reference.statements.empty())
           throw InputError("Subsection Reference belongs to studies of Kind "
                            "work-precision; this one is a " +
-                           name_of(kind) + place);
+                           name_of(kind) + in_study);
         return;
       }
     std::set<std::string> fixed;

@@ -25,7 +25,7 @@ namespace
   }
 
   std::string
-  message_of(const std::string &content)
+  message_of_loops(const std::string &content)
   {
     try
       {
@@ -122,18 +122,18 @@ TEST_CASE("Loops of the same entry in two subsections are named by both",
 
 TEST_CASE("Braces that are no loop are refused with file and line", "[study]")
 {
-  CHECK(message_of("\nset A = {1 | 2\n") ==
+  CHECK(message_of_loops("\nset A = {1 | 2\n") ==
         "study.prm:2: the braces of '{1 | 2' do not match; write a loop as "
         "{a | b} or, to go along with another loop, {{a | b}}");
-  CHECK(message_of("set A = {1} {2}") ==
+  CHECK(message_of_loops("set A = {1} {2}") ==
         "study.prm:1: '{1} {2}' contains more than one pair of braces; a value "
         "can hold one loop only, {a | b} or {{a | b}}");
-  CHECK(message_of("set A = {1 | }") ==
+  CHECK(message_of_loops("set A = {1 | }") ==
         "study.prm:1: a choice of the loop '{1 | }' is empty; write {a | b}");
-  CHECK(message_of("set A = {1 | 2}\nset B = {{1 | 2 | 3}}") ==
+  CHECK(message_of_loops("set A = {1 | 2}\nset B = {{1 | 2 | 3}}") ==
         "study.prm:2: the array of 'B' has 3 values; it needs as many as a "
         "loop that it can go along with (A: 2) or as there are cases (2)");
-  CHECK(message_of("set A = {{1 | 2}}\nset B = {{1 | 2 | 3}}") ==
+  CHECK(message_of_loops("set A = {{1 | 2}}\nset B = {{1 | 2 | 3}}") ==
         "study.prm:2: the array of 'B' has 3 values, another array of this "
         "file has 2; arrays go along with each other and need equal lengths");
 }

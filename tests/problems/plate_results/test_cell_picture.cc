@@ -14,10 +14,13 @@
 #include <set>
 #include <sstream>
 
+#include "run_program.h"
+
 namespace
 {
   using namespace NPT;
   using dealii::Point;
+  using TopTests::read_text;
 
   struct Drawn
   {
@@ -82,14 +85,6 @@ namespace
     return points;
   }
 
-  std::string
-  file_content(const std::string &filename)
-  {
-    std::ifstream     in(filename);
-    std::stringstream content;
-    content << in.rdbuf();
-    return content.str();
-  }
 } // namespace
 
 
@@ -217,8 +212,8 @@ TEST_CASE("Table and script of a cell's picture are complete and come out "
   const auto write    = [&]() {
     write_cell_picture(
       folder, "cell_rest", "Stage rest", "height [mm]", surfaces);
-    return file_content(folder + "/cell_rest.dat") +
-           file_content(folder + "/cell_rest.gp");
+    return read_text(folder + "/cell_rest.dat") +
+           read_text(folder + "/cell_rest.gp");
   };
   const std::string first = write();
   CHECK(first == write());
@@ -234,7 +229,7 @@ TEST_CASE("Table and script of a cell's picture are complete and come out "
   // Only where there is a gnuplot.
   if (run_gnuplot(folder + "/cell_rest.gp").empty())
     {
-      const std::string svg = file_content(folder + "/cell_rest.svg");
+      const std::string svg = read_text(folder + "/cell_rest.svg");
       // 2 x 5 by 2 x 5 quadrilaterals on the 8 upper faces alone.
       std::size_t n_polygons = 0;
       for (std::size_t at = svg.find("<polygon"); at != std::string::npos;

@@ -16,6 +16,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "run_program.h"
+
+using TopTests::read_text;
+
 namespace
 {
   std::string
@@ -26,15 +30,6 @@ namespace
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     return folder;
-  }
-
-  std::string
-  file_content(const std::string &filename)
-  {
-    std::ifstream     in(filename);
-    std::stringstream content;
-    content << in.rdbuf();
-    return content.str();
   }
 
   // A shear test after weaving, with the locking and the friction loop that
@@ -190,7 +185,7 @@ TEST_CASE("The picture of a shear test draws n3 over H3", "[output]")
 
   const std::string script = temporary_folder("script") + "/curves.gp";
   NPT::write_plot_script(script, "curves.csv", "curves", plots);
-  const std::string text = file_content(script);
+  const std::string text = read_text(script);
   for (const char *part : {"column('H3')",
                            "column('n3')",
                            "'shear''s loop'",
@@ -237,7 +232,7 @@ TEST_CASE("A run is drawn, or the missing gnuplot is reported in one line",
   if (std::system("gnuplot --version >/dev/null 2>&1") == 0)
     {
       CHECK(warning.empty());
-      CHECK(file_content(folder + "/curves.svg").find("</svg>") !=
+      CHECK(read_text(folder + "/curves.svg").find("</svg>") !=
             std::string::npos);
     }
   else
@@ -263,7 +258,7 @@ TEST_CASE("The log has one line per accepted step", "[output]")
   log.warning("no picture");
   log.finish();
 
-  const std::string text = file_content(logfile);
+  const std::string text = read_text(logfile);
   CHECK(n_lines_that_begin_with_a_number(text) == rows.size());
   CHECK(text.find("deal.II " DEAL_II_PACKAGE_VERSION) != std::string::npos);
   CHECK(text.find("cut shear at 0.350000: inverted cell; next step 0.0125") !=
@@ -299,7 +294,7 @@ TEST_CASE("A quiet log shows warnings and keeps the rest in its file",
   log.progress(0.5, 10.);
   log.warning("look here");
   CHECK(screen.str() == "Warning: look here\n");
-  CHECK(file_content(logfile) == "a line\nWarning: look here\n");
+  CHECK(read_text(logfile) == "a line\nWarning: look here\n");
 }
 
 
