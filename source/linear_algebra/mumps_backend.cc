@@ -2,19 +2,18 @@
 // MUMPS behind LinearSolver, with the order of elimination that METIS finds.
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/linear_algebra/trilinos_backend.h>
+#include <npt_dealii/linear_algebra/linear_solver_backend.h>
 
 #include <deal.II/base/config.h>
 
-#include <Amesos.h>
-#include <Amesos_BaseSolver.h>
-#include <Amesos_Mumps.h>
-#include <Teuchos_ParameterList.hpp>
+#include <dmumps_c.h>
 #ifdef DEAL_II_WITH_METIS
 #  include <metis.h>
 #endif
+#include <mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace NPT
@@ -27,33 +26,21 @@ namespace NPT
      * Return the position (from 1) of each unknown in the order of
      * elimination. Debian's MUMPS knows no nested dissection of its own, which
      * saves 15 to 34 % of the operations on elastic boxes of 1,452 to 15,360
-     * unknowns (quadratic B-splines).
+     * unknowns (quadratic B-splines). Empty if deal.II has no METIS.
      */
     std::vector<int>
     nested_dissection(const CSRMatrix &A)
     {
 #ifdef DEAL_II_WITH_METIS
-      // METIS wants the graph of A + A^T without its diagonal.
-      idx_t                         n = A.n();
-      std::vector<std::vector<int>> transposed(n);
-      for (int i = 0; i < n; ++i)
-        for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-          transposed[A.columns[k]].push_back(i);
-
+      // METIS wants the graph without its diagonal.
+      idx_t              n = A.n();
       std::vector<idx_t> start(1, 0), neighbors;
       neighbors.reserve(A.n_nonzeros());
-      std::vector<int> row;
       for (int i = 0; i < n; ++i)
         {
-          row.clear();
-          std::set_union(A.columns.begin() + A.row_start[i],
-                         A.columns.begin() + A.row_start[i + 1],
-                         transposed[i].begin(),
-                         transposed[i].end(),
-                         std::back_inserter(row));
-          for (const int j : row)
-            if (j != i)
-              neighbors.push_back(j);
+          for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+            if (A.columns[k] != i)
+              neighbors.push_back(A.columns[k]);
           start.push_back(neighbors.size());
         }
 
@@ -78,31 +65,79 @@ namespace NPT
 
 
 
-    class MUMPSBackend : public TrilinosBackend
+    /**
+     * One instance of MUMPS: L U for a general matrix, or L D L^T without
+     * pivoting for a positive definite one. It reads our index arrays and
+     * values; nothing is converted in between.
+     */
+    class MUMPSInstance
     {
     public:
-      void
-      symbolic(const CSRMatrix &A) override
+      enum class Kind
       {
-        TrilinosBackend::symbolic(A);
-        ordering = nested_dissection(A);
+        general,
+        positive_definite
+      };
+
+      explicit MUMPSInstance(const Kind kind_of_matrix)
+        : kind(kind_of_matrix)
+      {
+        data.comm_fortran = MPI_Comm_c2f(MPI_COMM_SELF);
+        data.par          = 1;
+        data.sym          = kind == Kind::general ? 0 : 1;
+        call(-1);
+        for (const int stream : {1, 2, 3})
+          control(stream) = -1;
+        control(4) = 0;
+        // No column permutation from the values: those of a later step differ.
+        control(6) = 0;
+        // No scaling: entries of all unknowns are stiffnesses of one size, and
+        // what a penalty adds is too local to gain from it.
+        control(8) = 0;
+        // The root is factorized like the rest: the sign of each pivot counts.
+        control(13) = 1;
+      }
+
+      ~MUMPSInstance()
+      {
+        call(-2);
+      }
+
+      MUMPSInstance(const MUMPSInstance &) = delete;
+      MUMPSInstance &
+      operator=(const MUMPSInstance &) = delete;
+
+      /// The symbolic factorization; the arrays must stay where they are.
+      void
+      analyze(const int         n,
+              std::vector<int> &rows,
+              std::vector<int> &columns,
+              std::vector<int> &order)
+      {
+        data.n   = n;
+        data.nnz = rows.size();
+        data.irn = rows.data();
+        data.jcn = columns.data();
+        if (!order.empty())
+          {
+            control(7)   = 1;
+            data.perm_in = order.data();
+          }
         analyze();
       }
 
-      void
-      numeric(const CSRMatrix &A) override
+      /// Return whether the matrix was factorized; a singular one, and one
+      /// that is not positive definite for that kind, is not.
+      bool
+      factorize(std::vector<double> &values)
       {
-        copy_values(A);
-        int status = 0;
         // Pivoting may need more memory than the analysis foresaw (-8, -9);
         // then more is granted once and for all.
         for (;;)
           {
-            {
-              const SilencedErrorStream silence;
-              status = solver->NumericFactorization();
-            }
-            const int error = mumps().GetINFOG()[0];
+            data.a = values.data();
+            call(2);
+            const int error = data.infog[0];
             if ((error == -8 || error == -9) && extra_memory < 1000)
               {
                 extra_memory *= 3;
@@ -111,92 +146,205 @@ namespace NPT
             else
               break;
           }
-        check(status, "factorization");
+        const int error = data.infog[0];
+        if (error == -10)
+          return false;
+        check("factorization");
+        return kind == Kind::general || data.infog[11] == 0;
+      }
+
+      void
+      solve(const Vector<double> &rhs, Vector<double> &x)
+      {
+        x        = rhs;
+        data.rhs = x.begin();
+        call(3);
+        check("solution");
+      }
+
+    private:
+      void
+      analyze()
+      {
+        control(14) = extra_memory;
+        call(1);
+        check("analysis");
+      }
+
+      int &
+      control(const int number)
+      {
+        return data.icntl[number - 1];
+      }
+
+      void
+      call(const int job)
+      {
+        data.job = job;
+        dmumps_c(&data);
+      }
+
+      void
+      check(const std::string &phase) const
+      {
+        const int error = data.infog[0];
+        if (error == -5 || error == -7 || error == -8 || error == -9 ||
+            error == -13)
+          throw OutOfMemory("MUMPS ran out of memory in the " + phase +
+                            " (INFOG(1) = " + std::to_string(error) + ").");
+        if (error < 0)
+          throw LinearSolverFailed(
+            "MUMPS stopped in the " + phase + " with INFOG(1:2) = " +
+            std::to_string(error) + ", " + std::to_string(data.infog[1]) + ".");
+      }
+
+      const Kind     kind;
+      DMUMPS_STRUC_C data         = {};
+      int            extra_memory = 35; // per cent
+    };
+
+
+
+    /**
+     * A matrix that is symmetric and positive definite (no friction, or all
+     * points stick) is factorized as L D L^T, at half the operations and
+     * without pivoting, which is stable then; every other one as L U. Which
+     * of the two is decided by the values, each time.
+     */
+    class MUMPSBackend : public LinearSolver::Backend
+    {
+    public:
+      void
+      symbolic(const CSRMatrix &A) override
+      {
+        general.reset();
+        positive_definite.reset();
+        matrix = A;
+
+        find_transposed();
+        order = nested_dissection(A);
+        rows.clear();
+        columns.clear();
+        lower_rows.clear();
+        lower_columns.clear();
+        lower.clear();
+        for (int i = 0; i < static_cast<int>(A.n()); ++i)
+          for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+            {
+              rows.push_back(i + 1);
+              columns.push_back(A.columns[k] + 1);
+              if (A.columns[k] <= i)
+                {
+                  lower.push_back(k);
+                  lower_rows.push_back(i + 1);
+                  lower_columns.push_back(A.columns[k] + 1);
+                }
+            }
+        lower_values.resize(lower.size());
+        try_positive_definite = true;
+      }
+
+      void
+      numeric(const CSRMatrix &A) override
+      {
+        matrix.values = A.values;
+        if (try_positive_definite && is_symmetric())
+          {
+            if (!positive_definite)
+              {
+                positive_definite = std::make_unique<MUMPSInstance>(
+                  MUMPSInstance::Kind::positive_definite);
+                positive_definite->analyze(A.n(),
+                                           lower_rows,
+                                           lower_columns,
+                                           order);
+              }
+            for (std::size_t k = 0; k < lower.size(); ++k)
+              lower_values[k] = matrix.values[lower[k]];
+            if (positive_definite->factorize(lower_values))
+              {
+                in_use = positive_definite.get();
+                return;
+              }
+            // The next ones will be indefinite as well.
+            try_positive_definite = false;
+            positive_definite.reset();
+          }
+        if (!general)
+          {
+            general =
+              std::make_unique<MUMPSInstance>(MUMPSInstance::Kind::general);
+            general->analyze(A.n(), rows, columns, order);
+          }
+        if (!general->factorize(matrix.values))
+          throw LinearSolverFailed("MUMPS: the matrix of size " +
+                                   std::to_string(A.n()) + " is singular." +
+                                   singular_hint);
+        in_use = general.get();
       }
 
       void
       solve(const Vector<double> &rhs, Vector<double> &x) override
       {
-        Epetra_Vector epetra_x(View, *map, x.begin());
-        Epetra_Vector epetra_rhs(View, *map, const_cast<double *>(rhs.begin()));
-        problem.SetLHS(&epetra_x);
-        problem.SetRHS(&epetra_rhs);
-        int status = 0;
-        {
-          const SilencedErrorStream silence;
-          status = solver->Solve();
-        }
-        problem.SetLHS(nullptr);
-        problem.SetRHS(nullptr);
-        check(status, "solution");
+        in_use->solve(rhs, x);
+      }
+
+      void
+      vmult(Vector<double> &y, const Vector<double> &x) const override
+      {
+        matrix.vmult(y, x);
       }
 
     private:
-      Amesos_Mumps &
-      mumps() const
-      {
-        return dynamic_cast<Amesos_Mumps &>(*solver);
-      }
-
+      // Row by row, each row below the diagonal meets its transposed entries in
+      // order.
       void
-      clear_solver() override
+      find_transposed()
       {
-        solver.reset();
+        transposed.resize(matrix.n_nonzeros());
+        std::vector<int> next(matrix.row_start.begin(),
+                              matrix.row_start.end() - 1);
+        for (int i = 0; i < static_cast<int>(matrix.n()); ++i)
+          for (int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k)
+            {
+              const int j  = matrix.columns[k];
+              const int at = next[j]++;
+              AssertThrow(at < matrix.row_start[j + 1] &&
+                            matrix.columns[at] == i,
+                          dealii::ExcMessage(
+                            "The pattern of the matrix is not symmetric."));
+              transposed[k] = at;
+            }
       }
 
-      void
-      analyze()
+      bool
+      is_symmetric() const
       {
-        solver.reset(Amesos().Create("Amesos_Mumps", problem));
-        if (!solver)
-          throw InputError("Type = MUMPS is not available because Trilinos was "
-                           "built without it; choose UMFPACK (subsection "
-                           "Linear solver).");
-        Teuchos::ParameterList list;
-        list.set("PrintTiming", false);
-        list.set("PrintStatus", false);
-        list.set("OutputLevel", 0);
-        list.set("DebugLevel", 0);
-        solver->SetParameters(list);
-        for (const int stream : {1, 2, 3})
-          mumps().SetICNTL(stream, -1);
-        mumps().SetICNTL(4, 0);
-        // No column permutation from the values: those of a later step differ.
-        mumps().SetICNTL(6, 0);
-        mumps().SetICNTL(14, extra_memory);
-#ifdef DEAL_II_WITH_METIS
-        mumps().SetICNTL(7, 1);
-        mumps().SetOrdering(ordering.data());
-#endif
-        int status = 0;
-        {
-          const SilencedErrorStream silence;
-          status = solver->SymbolicFactorization();
-        }
-        check(status, "analysis");
+        const double *a = matrix.values.data();
+        for (int i = 0; i < static_cast<int>(matrix.n()); ++i)
+          {
+            double largest = 0, difference = 0;
+            for (int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k)
+              {
+                largest = std::max(largest, std::abs(a[k]));
+                difference =
+                  std::max(difference, std::abs(a[k] - a[transposed[k]]));
+              }
+            if (!(difference <= 1e-12 * largest))
+              return false;
+          }
+        return true;
       }
 
-      void
-      check(const int status, const std::string &phase) const
-      {
-        const int *infog = mumps().GetINFOG();
-        if (infog[0] == -10)
-          throw LinearSolverFailed("MUMPS: the matrix of size " +
-                                   std::to_string(map->NumMyElements()) +
-                                   " is singular." + singular_hint);
-        if (infog[0] == -5 || infog[0] == -7 || infog[0] == -8 ||
-            infog[0] == -9 || infog[0] == -13)
-          throw OutOfMemory("MUMPS ran out of memory in the " + phase +
-                            " (INFOG(1) = " + std::to_string(infog[0]) + ").");
-        if (infog[0] < 0 || status < 0)
-          throw LinearSolverFailed(
-            "MUMPS stopped in the " + phase + " with INFOG(1:2) = " +
-            std::to_string(infog[0]) + ", " + std::to_string(infog[1]) + ".");
-      }
+      CSRMatrix           matrix;
+      std::vector<int>    transposed; // position of the transposed entry
+      std::vector<int>    order, rows, columns;
+      std::vector<int>    lower, lower_rows, lower_columns;
+      std::vector<double> lower_values;
 
-      std::unique_ptr<Amesos_BaseSolver> solver;
-      std::vector<int>                   ordering;
-      int                                extra_memory = 35; // per cent
+      std::unique_ptr<MUMPSInstance> general, positive_definite;
+      MUMPSInstance                 *in_use                = nullptr;
+      bool                           try_positive_definite = true;
     };
   } // namespace
 

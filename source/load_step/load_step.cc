@@ -222,6 +222,7 @@ namespace NPT
                                           *growth);
         const NewtonReport more = solve_newton(newton, equations(), x_);
         report.newton.iterations += more.iterations;
+        report.newton.n_tangents += more.n_tangents;
         report.final_residual = more.residual_norms.back();
       }
     for (unsigned int k = 0; k < trial_.contact.size(); ++k)

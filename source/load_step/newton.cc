@@ -22,6 +22,12 @@ namespace NPT
     constexpr double smallest_force      = 1e-14; // of the force unit
     constexpr double same_norm           = 1e-6;  // relative, for cycles
 
+    // Of a kept tangent: how many corrections it may take to converge, by how
+    // much each must reduce the residual, and what counts as converged then.
+    constexpr double most_kept_corrections = 8;
+    constexpr double worst_reduction       = 0.5;
+    constexpr double kept_tolerance        = 0.1; // of the tolerance
+
     /// Do the last norms repeat with this period? Asks for two full periods,
     /// of a constant for four equal norms.
     bool
@@ -87,6 +93,13 @@ namespace NPT
                   "fall every time, which stalls at first contact and at "
                   "changes between stick and slip.",
                   Patterns::Integer(1, 100));
+    add_parameter(prm,
+                  "Keep tangent",
+                  keep_tangent,
+                  "Use a tangent and its factorization for further corrections "
+                  "of the step where they are seen to converge quickly. The "
+                  "result is the same within the tolerance, for less time; "
+                  "false for orders of convergence.");
   }
 
 
@@ -97,7 +110,7 @@ namespace NPT
     std::size_t n = residual_norms.size();
     while (n > 0 && residual_norms[n - 1] <= round_off_factor * force_scale)
       --n;
-    if (n < 3)
+    if (n < 3 || kept_tangent[n - 2] || kept_tangent[n - 3])
       return std::numeric_limits<double>::quiet_NaN();
     const double last    = residual_norms[n - 1] / residual_norms[n - 2];
     const double earlier = residual_norms[n - 2] / residual_norms[n - 3];
@@ -141,11 +154,21 @@ namespace NPT
           fail("invalid residual", "The residual of the start is not finite.");
         while (!converged(norm))
           {
+            if (tangent_may_be_kept())
+              {
+                norm = correct_with_kept_tangent(norm);
+                continue;
+              }
             problem_.prepare_tangent(x_);
+            ++report_.n_tangents;
             rhs_.equ(-1., r_);
             problem_.solve(rhs_, dx_);
+            const unsigned int cuts = report_.n_line_search_cuts;
             norm = parameters_.line_search ? search_along() : full_step();
             ++report_.iterations;
+            report_.kept_tangent.push_back(false);
+            // A correction that had to be shortened says nothing on the next.
+            tangent_is_good_ = report_.n_line_search_cuts == cuts;
           }
         return report_;
       }
@@ -182,6 +205,56 @@ namespace NPT
         return measure();
       }
 
+      // Whether further corrections with the present tangent promise to
+      // converge quickly, by the drop that the last correction has brought.
+      bool
+      tangent_may_be_kept() const
+      {
+        const auto &norms = report_.residual_norms;
+        if (!parameters_.keep_tangent || !tangent_is_good_ || norms.size() < 2)
+          return false;
+        const double last = norms.back() / norms[norms.size() - 2];
+        const double next = report_.kept_tangent.back() ? last : 2. * last;
+        return next < worst_reduction &&
+               std::log(kept_tolerance * tolerance() / norms.back()) /
+                   std::log(next) <=
+                 most_kept_corrections;
+      }
+
+      // Correct x_ and return the new norm; if that is no progress, x_ stays as
+      // it is, with the old norm, and the tangent is not kept any more.
+      double
+      correct_with_kept_tangent(const double norm)
+      {
+        rhs_.equ(-1., r_);
+        problem_.solve(rhs_, dx_);
+        x_trial_ = x_;
+        x_trial_ += dx_;
+        double new_norm = std::numeric_limits<double>::infinity();
+        try
+          {
+            new_norm = evaluate(x_trial_);
+          }
+        catch (const LoadStepFailure &)
+          {
+            // A new tangent, and the line search along its correction, have to
+            // find out whether the step can be survived.
+          }
+        tangent_is_good_ = new_norm <= worst_reduction * norm;
+        if (!(new_norm < norm))
+          {
+            report_.residual_norms.pop_back();
+            if (problem_.state_summary)
+              report_.state_summaries.pop_back();
+            return evaluate(x_);
+          }
+        x_.swap(x_trial_);
+        if (!report_.kept_tangent.back())
+          ++report_.iterations;
+        report_.kept_tangent.push_back(true);
+        return new_norm;
+      }
+
       // Record the norm and judge it; throws if there is no hope.
       bool
       converged(const double norm)
@@ -190,7 +263,9 @@ namespace NPT
         norms.push_back(norm);
         if (problem_.state_summary)
           report_.state_summaries.push_back(problem_.state_summary());
-        if (norm <= tolerance())
+        const bool kept =
+          !report_.kept_tangent.empty() && report_.kept_tangent.back();
+        if (norm <= (kept ? kept_tolerance : 1.) * tolerance())
           {
             report_.converged = true;
             return true;
@@ -297,6 +372,7 @@ namespace NPT
       const NewtonParameters &parameters_;
       const NewtonProblem    &problem_;
       NewtonReport            report_;
+      bool                    tangent_is_good_ = false;
       Vector<double>         &x_;
       Vector<double>          r_, rhs_, dx_, x_trial_;
     };

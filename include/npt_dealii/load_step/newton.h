@@ -23,6 +23,7 @@ namespace NPT
     bool         line_search        = true;
     unsigned int max_halvings       = 8;
     unsigned int nonmonotone_memory = 3;
+    bool         keep_tangent       = true;
 
     /// Bind the members to the entries of the subsection.
     void
@@ -68,8 +69,12 @@ namespace NPT
 
   struct NewtonReport
   {
-    unsigned int             iterations = 0;  ///< corrections accepted
-    std::vector<double>      residual_norms;  ///< [N], iterations + 1 entries
+    /// Corrections with a new tangent; a series of corrections with a kept one
+    /// counts as one more, for it stands for one with a new tangent.
+    unsigned int             iterations = 0;
+    unsigned int             n_tangents = 0;  ///< assembled and factorized
+    std::vector<double>      residual_norms;  ///< [N], corrections + 1 entries
+    std::vector<bool>        kept_tangent;    ///< one per correction
     std::vector<std::string> state_summaries; ///< one per norm, if asked for
     double                   force_scale        = 0; ///< at the last norm [N]
     bool                     converged          = false;
@@ -82,7 +87,8 @@ namespace NPT
      *
      * Last residuals below 1e-13 of the force scale are left out: they are
      * round-off and would pull q toward zero. NaN if fewer than three
-     * residuals remain or if the earlier of the two was no drop.
+     * residuals remain, if the earlier of the two was no drop, or if one of
+     * the two corrections was made with a kept tangent.
      */
     double
     order() const;
@@ -104,6 +110,16 @@ namespace NPT
    * quadratically from there, hence m = 3. A trial that throws LoadStepFailure
    * or whose residual is not finite is rejected like one that is too large; a
    * converged trial is always accepted.
+   *
+   * With keep_tangent a tangent serves for several corrections of one call,
+   * never for those of another: what a call returns depends on its arguments
+   * alone. If one correction reduces the residual by the factor theta, the next
+   * with the same tangent do so by about 2 theta, as the error of the tangent
+   * at the new x is twice that along the way. The tangent is kept if this
+   * promises convergence within 8 corrections, each of which costs about a
+   * tenth of one with a new tangent; it is renewed when a correction falls
+   * short of that. With a kept tangent the residual has to fall below a tenth
+   * of the tolerance: what is left is not squared away by the last correction.
    *
    * Throws NewtonNotConverged with one of the reasons
    * - "iteration limit",
