@@ -410,6 +410,53 @@ namespace NPT
 
 
 
+  namespace
+  {
+    // Points that are nearer to the next segment than this part of their own
+    // are about to get there. On shear.prm: 8 patterns instead of 23.
+    const double near_next_segment = 0.3;
+
+    // Hand out the control points of the segment where a point is and of those
+    // that it is about to get to.
+    template <int dim>
+    void
+    for_each_lattice_point_near(
+      const IGASurface<dim>                           &surface,
+      const ClosestPoint<dim>                         &point,
+      const std::function<void(const unsigned int l)> &use)
+    {
+      constexpr unsigned int                   m = dim - 1;
+      std::array<std::vector<unsigned int>, m> segments;
+      for (unsigned int a = 0; a < m; ++a)
+        {
+          const auto        &breaks = surface.segment_breaks(a);
+          const unsigned int s      = point.segment[a];
+          const double margin = near_next_segment * (breaks[s + 1] - breaks[s]);
+          segments[a]         = {s};
+          if (s > 0 && point.u[a] < breaks[s] + margin)
+            segments[a].push_back(s - 1);
+          if (s + 1 < surface.n_segments(a) &&
+              point.u[a] > breaks[s + 1] - margin)
+            segments[a].push_back(s + 1);
+        }
+      SurfaceShape<m>             shape;
+      std::array<unsigned int, m> segment;
+      for (const unsigned int s : segments[0])
+        for (const unsigned int t : segments[m - 1])
+          {
+            if (m == 1 && s != t)
+              continue;
+            segment[0]     = s;
+            segment[m - 1] = t;
+            surface.evaluate(point.u, 0, shape, &segment);
+            for (const unsigned int l : shape.lattice)
+              use(l);
+          }
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::vector<std::vector<unsigned int>>
   ContactPair<dim>::coupled_unknowns(const ContactStep<dim>       &step,
@@ -434,8 +481,12 @@ namespace NPT
             const auto &s = geometry_.points[entry.point].shape;
             for (const unsigned int l : s.lattice)
               first.push_back(geometry_.secondary.first_dof(l));
-            for (const unsigned int l : c.shape.lattice)
-              first.push_back(geometry_.primaries[c.surface].first_dof(l));
+            const ContactSurface<dim> &primary = geometry_.primaries[c.surface];
+            for_each_lattice_point_near(primary.surface(),
+                                        c,
+                                        [&](const unsigned int l) {
+                                          first.push_back(primary.first_dof(l));
+                                        });
             const SlipReference<dim> *reference =
               slip_measure == nullptr ?
                 nullptr :

@@ -3,6 +3,8 @@
 
 #include <npt_dealii/linear_algebra/constrained_system.h>
 
+#include <numeric>
+
 namespace NPT
 {
   using dealii::Vector;
@@ -96,33 +98,55 @@ namespace NPT
 
 
 
-  ConstrainedSystem::Group
-  ConstrainedSystem::make_group(const std::vector<unsigned int> &unknowns) const
+  void
+  ConstrainedSystem::make_group(const std::vector<unsigned int> &unknowns,
+                                Group                           &group) const
   {
-    Group group;
+    group.columns.clear();
     for (const unsigned int i : unknowns)
-      for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
-        group.columns.push_back(row_column_[k]);
+      group.columns.insert(group.columns.end(),
+                           row_column_.begin() + row_start_[i],
+                           row_column_.begin() + row_start_[i + 1]);
     std::sort(group.columns.begin(), group.columns.end());
     group.columns.erase(std::unique(group.columns.begin(), group.columns.end()),
                         group.columns.end());
-
-    group.start.push_back(0);
-    group.simple = group.columns.size() == unknowns.size();
-    for (const unsigned int i : unknowns)
+    const int n_columns = group.columns.size();
+    group.run_start.clear();
+    place_.resize(independent_.size());
+    for (int b = 0; b < n_columns; ++b)
       {
-        for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
-          {
-            group.local.push_back(std::lower_bound(group.columns.begin(),
-                                                   group.columns.end(),
-                                                   row_column_[k]) -
-                                  group.columns.begin());
-            group.coefficient.push_back(row_value_[k]);
-          }
-        group.start.push_back(group.local.size());
-        group.simple = group.simple && row_start_[i + 1] - row_start_[i] == 1;
+        place_[group.columns[b]] = b;
+        if (b == 0 || group.columns[b] != group.columns[b - 1] + 1)
+          group.run_start.push_back(b);
       }
-    return group;
+    group.run_start.push_back(n_columns);
+
+    group.n_unknowns = unknowns.size();
+    group.unknown.clear();
+    group.local.clear();
+    group.coefficient.clear();
+    for (unsigned int b = 0; b < unknowns.size(); ++b)
+      for (int k = row_start_[unknowns[b]]; k < row_start_[unknowns[b] + 1];
+           ++k)
+        {
+          group.unknown.push_back(b);
+          group.local.push_back(place_[row_column_[k]]);
+          group.coefficient.push_back(row_value_[k]);
+        }
+    group.is_permutation = group.local.size() == unknowns.size() &&
+                           group.columns.size() == unknowns.size();
+    if (group.is_permutation)
+      {
+        // Sorted by column, which are all there.
+        const std::vector<int>    local       = group.local;
+        const std::vector<double> coefficient = group.coefficient;
+        for (unsigned int b = 0; b < unknowns.size(); ++b)
+          {
+            group.unknown[local[b]]     = b;
+            group.coefficient[local[b]] = coefficient[b];
+          }
+        std::iota(group.local.begin(), group.local.end(), 0);
+      }
   }
 
 
@@ -130,21 +154,34 @@ namespace NPT
   bool
   ConstrainedSystem::find_positions(Group &group) const
   {
-    const std::size_t n = group.columns.size();
-    group.positions.resize(n * n);
-    for (std::size_t a = 0; a < n; ++a)
+    const int n_columns = group.columns.size();
+    const int n_runs    = group.run_start.size() - 1;
+    group.list.resize(n_columns);
+    group.offsets.clear();
+    int n_lists = 0;
+    for (int a = 0; a < n_columns; ++a)
       {
-        // Both lists are sorted: one pass per row.
-        int       at  = matrix_.row_start[group.columns[a]];
-        const int end = matrix_.row_start[group.columns[a] + 1];
-        for (std::size_t b = 0; b < n; ++b)
+        const int row = group.columns[a];
+        if (a > 0 && group.columns[a - 1] == row - 1 && same_as_previous_[row])
           {
-            while (at < end && matrix_.columns[at] < group.columns[b])
-              ++at;
-            if (at == end || matrix_.columns[at] != group.columns[b])
-              return false;
-            group.positions[a * n + b] = at;
+            group.list[a] = n_lists - 1;
+            continue;
           }
+        const auto begin = matrix_.columns.begin() + matrix_.row_start[row];
+        const auto end   = matrix_.columns.begin() + matrix_.row_start[row + 1];
+        auto       at    = begin;
+        for (int run = 0; run < n_runs; ++run)
+          {
+            const int first  = group.columns[group.run_start[run]];
+            const int length = group.run_start[run + 1] - group.run_start[run];
+            at               = std::lower_bound(at, end, first);
+            if (end - at < length || *at != first ||
+                *(at + length - 1) != first + length - 1)
+              return false;
+            group.offsets.push_back(at - begin);
+            at += length;
+          }
+        group.list[a] = n_lists++;
       }
     return true;
   }
@@ -155,7 +192,8 @@ namespace NPT
   ConstrainedSystem::add_group(const std::vector<unsigned int> &unknowns)
   {
     has_pattern_ = false;
-    groups_.push_back(make_group(unknowns));
+    groups_.emplace_back();
+    make_group(unknowns, groups_.back());
     return groups_.size() - 1;
   }
 
@@ -170,7 +208,10 @@ namespace NPT
     couplings_.insert(couplings.begin(), couplings.end());
     std::vector<Group> extra;
     for (const auto &coupling : couplings_)
-      extra.push_back(make_group(coupling));
+      {
+        extra.emplace_back();
+        make_group(coupling, extra.back());
+      }
     std::vector<std::vector<const Group *>> member(independent_.size());
     for (const auto *list : {&groups_, &extra})
       for (const Group &group : *list)
@@ -193,6 +234,9 @@ namespace NPT
               }
       }
     matrix_.set_pattern(rows);
+    same_as_previous_.assign(rows.size(), false);
+    for (std::size_t a = 1; a < rows.size(); ++a)
+      same_as_previous_[a] = rows[a] == rows[a - 1];
     for (Group &group : groups_)
       {
         const bool found = find_positions(group);
@@ -209,41 +253,58 @@ namespace NPT
                          const std::vector<double> &K,
                          const double               factor)
   {
-    const std::size_t n = group.start.size() - 1, n_m = group.columns.size();
+    const std::size_t n = group.n_unknowns, n_m = group.columns.size();
     AssertDimension(K.size(), n * n);
-    double *values = matrix_.values.data();
-    if (group.simple)
+    const double *values      = K.data();
+    const int    *source      = group.unknown.data();
+    const double *coefficient = group.coefficient.data();
+    if (!group.is_permutation)
       {
-        for (std::size_t a = 0; a < n; ++a)
+        // (C^T K) C in two sweeps.
+        const std::size_t n_entries = group.local.size();
+        rows_condensed_.assign(n_m * n, 0.);
+        for (std::size_t k = 0; k < n_entries; ++k)
           {
-            const double  ca        = factor * group.coefficient[a];
-            const int    *positions = &group.positions[group.local[a] * n_m];
-            const double *row       = &K[a * n];
+            const double  c      = group.coefficient[k];
+            double       *target = &rows_condensed_[group.local[k] * n];
+            const double *row    = &K[group.unknown[k] * n];
             for (std::size_t b = 0; b < n; ++b)
-              values[positions[group.local[b]]] +=
-                ca * group.coefficient[b] * row[b];
+              target[b] += c * row[b];
           }
-        return;
+        condensed_.assign(n_m * n_m, 0.);
+        for (std::size_t m = 0; m < n_m; ++m)
+          {
+            double       *target = &condensed_[m * n_m];
+            const double *row    = &rows_condensed_[m * n];
+            for (std::size_t k = 0; k < n_entries; ++k)
+              target[group.local[k]] +=
+                group.coefficient[k] * row[group.unknown[k]];
+          }
+        for (std::size_t m = order_.size(); m < n_m; ++m)
+          {
+            order_.push_back(m);
+            ones_.push_back(1.);
+          }
+        values      = condensed_.data();
+        source      = order_.data();
+        coefficient = ones_.data();
       }
 
-    // (C^T K) C in two sweeps.
-    scratch_.assign(n_m * n, 0.);
-    for (std::size_t a = 0; a < n; ++a)
-      for (int k = group.start[a]; k < group.start[a + 1]; ++k)
-        {
-          const double  c      = factor * group.coefficient[k];
-          double       *target = &scratch_[group.local[k] * n];
-          const double *row    = &K[a * n];
-          for (std::size_t b = 0; b < n; ++b)
-            target[b] += c * row[b];
-        }
+    const std::size_t n_runs = group.run_start.size() - 1;
     for (std::size_t m = 0; m < n_m; ++m)
       {
-        const int    *positions = &group.positions[m * n_m];
-        const double *row       = &scratch_[m * n];
-        for (std::size_t b = 0; b < n; ++b)
-          for (int k = group.start[b]; k < group.start[b + 1]; ++k)
-            values[positions[group.local[k]]] += group.coefficient[k] * row[b];
+        double *target =
+          matrix_.values.data() + matrix_.row_start[group.columns[m]];
+        const int    *offsets = &group.offsets[group.list[m] * n_runs];
+        const double *row     = values + source[m] * n_m;
+        const double  c       = factor * coefficient[m];
+        for (std::size_t run = 0; run < n_runs; ++run)
+          {
+            const int begin = group.run_start[run];
+            double   *first = target + (offsets[run] - begin);
+            for (int b = begin; b < group.run_start[run + 1]; ++b)
+              first[b] += c * coefficient[b] * row[source[b]];
+          }
       }
   }
 
@@ -264,10 +325,10 @@ namespace NPT
   ConstrainedSystem::add(const std::vector<unsigned int> &unknowns,
                          const std::vector<double>       &K)
   {
-    Group group = make_group(unknowns);
-    if (!find_positions(group))
+    make_group(unknowns, group_);
+    if (!find_positions(group_))
       return false;
-    add(group, K, 1.);
+    add(group_, K, 1.);
     return true;
   }
 

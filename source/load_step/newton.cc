@@ -24,7 +24,7 @@ namespace NPT
 
     // Of a kept tangent: how many corrections it may take to converge, by how
     // much each must reduce the residual, and what counts as converged then.
-    constexpr double most_kept_corrections = 8;
+    constexpr double most_kept_corrections = 12;
     constexpr double worst_reduction       = 0.5;
     constexpr double kept_tolerance        = 0.1; // of the tolerance
 

@@ -73,16 +73,22 @@ namespace NPT
                               double            *F)
     {
       for (unsigned int q = 0; q < n_points; ++q)
-        for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int J = 0; J < 3; ++J)
-            {
-              const double *g   = G + (q * 3 + J) * n;
-              const double *wi  = w + i * n;
-              double        sum = 0;
-              for (unsigned int A = 0; A < n; ++A)
-                sum += wi[A] * g[A];
-              F[q * 9 + 3 * i + J] = sum + (i == J ? 1. : 0.);
-            }
+        for (unsigned int J = 0; J < 3; ++J)
+          {
+            const double *g  = G + (q * 3 + J) * n;
+            double        w0 = 0, w1 = 0, w2 = 0;
+#pragma omp simd reduction(+ : w0, w1, w2)
+            for (unsigned int A = 0; A < n; ++A)
+              {
+                w0 += w[A] * g[A];
+                w1 += w[n + A] * g[A];
+                w2 += w[2 * n + A] * g[A];
+              }
+            F[q * 9 + J]     = w0;
+            F[q * 9 + 3 + J] = w1;
+            F[q * 9 + 6 + J] = w2;
+            F[q * 9 + 4 * J] += 1.;
+          }
     }
 
 

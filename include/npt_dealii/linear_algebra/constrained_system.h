@@ -135,17 +135,24 @@ namespace NPT
     free_matrix();
 
   private:
+    // The unknowns of one element matrix and where it goes. Rows with the same
+    // columns, such as those of the components of a control point, share what
+    // is stored of positions; and neighboring columns are neighbors in every
+    // row that has both.
     struct Group
     {
-      std::vector<int>    columns; // sorted independent numbers
-      std::vector<int>    start;   // per local unknown, into the next two
-      std::vector<int>    local;   // position in columns
-      std::vector<double> coefficient;
-      std::vector<int>    positions; // into matrix values
-      bool                simple;    // every unknown is +/- one distinct column
+      unsigned int        n_unknowns;
+      std::vector<int>    columns;        // sorted independent numbers
+      std::vector<int>    unknown;        // entries of C: unknown of the group,
+      std::vector<int>    local;          // position in columns,
+      std::vector<double> coefficient;    // and value
+      bool                is_permutation; // entry k is all of column local[k]
+      std::vector<int>    run_start; // runs of neighbors in columns, and end
+      std::vector<int>    list;      // per column as row: which list
+      std::vector<int>    offsets;   // list by run: start of a run in the row
     };
-    Group
-    make_group(const std::vector<unsigned int> &unknowns) const;
+    void
+    make_group(const std::vector<unsigned int> &unknowns, Group &group) const;
     bool
     find_positions(Group &group) const;
     void
@@ -162,7 +169,12 @@ namespace NPT
     std::set<std::vector<unsigned int>> couplings_;
     CSRMatrix                           matrix_;
     bool                                has_pattern_ = false;
-    std::vector<double>                 scratch_, scratch2_;
+    std::vector<bool>                   same_as_previous_; // columns, per row
+    Group                               group_; // of add() without registration
+    mutable std::vector<int>            place_; // per independent unknown
+    std::vector<double>                 rows_condensed_, condensed_;
+    std::vector<int>                    order_; // identity, where C is applied
+    std::vector<double>                 ones_;
 
     std::vector<bool>         prescribed_;
     std::vector<unsigned int> free_;

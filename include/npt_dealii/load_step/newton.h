@@ -116,7 +116,7 @@ namespace NPT
    * alone. If one correction reduces the residual by the factor theta, the next
    * with the same tangent do so by about 2 theta, as the error of the tangent
    * at the new x is twice that along the way. The tangent is kept if this
-   * promises convergence within 8 corrections, each of which costs about a
+   * promises convergence within 12 corrections, each of which costs about a
    * tenth of one with a new tangent; it is renewed when a correction falls
    * short of that. With a kept tangent the residual has to fall below a tenth
    * of the tolerance: what is left is not squared away by the last correction.

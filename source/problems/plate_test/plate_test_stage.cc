@@ -23,7 +23,7 @@ namespace NPT
   {
     // Nodes nearer than this fraction of the thickness are about to touch:
     // their couplings enter the pattern.
-    const double pattern_margin = 0.02;
+    const double pattern_margin = 0.05;
 
     // A soft foundation keeps bundles that float before contact holds them
     // during weaving, and fades out in the release.
