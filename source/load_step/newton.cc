@@ -110,7 +110,10 @@ namespace NPT
     std::size_t n = residual_norms.size();
     while (n > 0 && residual_norms[n - 1] <= round_off_factor * force_scale)
       --n;
-    if (n < 3 || kept_tangent[n - 2] || kept_tangent[n - 3])
+    const auto kept = [this](const std::size_t correction) {
+      return correction < kept_tangent.size() && kept_tangent[correction];
+    };
+    if (n < 3 || kept(n - 2) || kept(n - 3))
       return std::numeric_limits<double>::quiet_NaN();
     const double last    = residual_norms[n - 1] / residual_norms[n - 2];
     const double earlier = residual_norms[n - 2] / residual_norms[n - 3];

@@ -115,6 +115,46 @@ TEST_CASE("New values of the same pattern reuse the symbolic factorization, a "
   CHECK(solver.n_solves() == 4);
 }
 
+TEST_CASE("Direct solvers take matrices of one pattern that are positive "
+          "definite, indefinite and unsymmetric in any order",
+          "[solver]")
+{
+  const auto name = GENERATE(as<std::string>(), "MUMPS", "UMFPACK");
+  INFO(name);
+  // Two springs per unknown and one to the ground, a load that follows.
+  const unsigned int            n = 60;
+  CSRMatrix                     A;
+  std::vector<std::vector<int>> columns(n);
+  for (int i = 0; i < static_cast<int>(n); ++i)
+    columns[i] = {i, (i + 1) % static_cast<int>(n), (i + 59) % 60};
+  A.set_pattern(columns);
+  const auto set = [&](const double ground, const double follower) {
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        A.values[A.position(i, i)]            = 2. + ground;
+        A.values[A.position(i, (i + 1) % n)]  = -1. + follower;
+        A.values[A.position(i, (i + 59) % n)] = -1.;
+      }
+  };
+  LinearSolver solver(type(name));
+  const auto   solves = [&]() {
+    const Vector<double> b = some_vector(n);
+    Vector<double>       x;
+    solver.factorize(A);
+    solver.solve(b, x);
+    return relative_residual(A, x, b) < 1e-12;
+  };
+  set(0.3, 0.);
+  CHECK(solves());
+  set(0.3, 0.4);
+  CHECK(solves());
+  set(-0.77, 0.);
+  CHECK(solves());
+  set(0.3, 0.);
+  CHECK(solves());
+  CHECK(solver.n_symbolic() == 1);
+}
+
 TEST_CASE("Direct solvers find a body that nothing holds, also if the load is "
           "in balance",
           "[solver]")

@@ -87,14 +87,60 @@ TEST_CASE("Newton converges quadratically on a smooth system", "[solver]")
 
   NewtonParameters parameters;
   parameters.relative_tolerance = 1e-10;
+  parameters.keep_tangent       = false;
   const NewtonReport report     = solve_newton(parameters, problem, x);
   CHECK(report.converged);
+  CHECK(report.n_tangents == report.iterations);
   CHECK(report.force_scale == 3);
   CHECK(report.residual_norms.size() == report.iterations + 1);
   CHECK(report.state_summaries.size() == report.iterations + 1);
   CHECK(report.residual_norms.back() <= 3e-10);
   CHECK(report.order() >= 1.9);
   CHECK(same_x);
+}
+
+TEST_CASE("Kept tangents lead to the same solution from fewer tangents",
+          "[solver]")
+{
+  const NewtonProblem problem =
+    scalar_problem([](double x) { return x + 0.1 * x * x - 2.; },
+                   [](double x) { return 1. + 0.2 * x; });
+  NewtonParameters parameters;
+  parameters.relative_tolerance = 1e-10;
+  Vector<double>     kept       = start(1.6);
+  const NewtonReport report     = solve_newton(parameters, problem, kept);
+  parameters.keep_tangent       = false;
+  Vector<double>     renewed    = start(1.6);
+  const NewtonReport reference  = solve_newton(parameters, problem, renewed);
+
+  CHECK(report.converged);
+  CHECK(report.n_tangents == 1);
+  CHECK(reference.n_tangents == 3);
+  CHECK(kept[0] == Approx(renewed[0]).epsilon(1e-10));
+  // A series of corrections with a kept tangent is one iteration.
+  CHECK(report.iterations == 2);
+  CHECK(report.residual_norms.size() == report.kept_tangent.size() + 1);
+  CHECK(std::isnan(report.order()));
+  // What is left of the error is not squared away by the last correction.
+  CHECK(report.residual_norms.back() <= 1e-11);
+}
+
+TEST_CASE("A kept tangent is renewed behind a kink", "[solver]")
+{
+  // The slope falls to a tenth at x = 1.95: the tangent before it, which has
+  // led near the solution at x = 2, converges too slowly to be kept.
+  const auto force = [](double x) {
+    return x < 1.95 ? x + 0.01 * x * x :
+                      1.95 + 0.01 * 1.95 * 1.95 + 0.1 * (x - 1.95);
+  };
+  const NewtonProblem problem =
+    scalar_problem([&](double x) { return force(x) - force(2.); },
+                   [](double x) { return x < 1.95 ? 1. + 0.02 * x : 0.1; });
+  Vector<double>     x      = start(1.5);
+  const NewtonReport report = solve_newton({}, problem, x);
+  CHECK(report.converged);
+  CHECK(x[0] == Approx(2.).epsilon(1e-6));
+  CHECK(report.n_tangents >= 2);
 }
 
 TEST_CASE("A start that is a solution needs no tangent", "[solver]")
@@ -174,8 +220,9 @@ TEST_CASE("A non-monotone step is taken where a monotone one is cut",
                                   20.; });
 
   NewtonParameters parameters;
-  Vector<double>   x      = start(2);
-  auto             report = solve_newton(parameters, problem, x);
+  parameters.keep_tangent = false;
+  Vector<double> x        = start(2);
+  auto           report   = solve_newton(parameters, problem, x);
   CHECK(x[0] == Approx(-0.01));
   CHECK(report.n_line_search_cuts == 0);
   CHECK(report.iterations == 3);

@@ -7,7 +7,6 @@
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/plate_test/cell_preview.h>
-#include <npt_dealii/problems/plate_test/contact_checks.h>
 #include <npt_dealii/problems/plate_test/failure_advice.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
@@ -26,6 +25,7 @@ namespace NPT
     , log_(RunLog::in_folder(directory, screen))
     , timer_(screen, TimerOutput::never, TimerOutput::cpu_and_wall_times)
     , results_(parameters_, directory, log_, timer_)
+    , contact_checks_(parameters_, log_)
     , linear_solver_(parameters_.linear_solver)
   {}
 
@@ -36,7 +36,7 @@ namespace NPT
   {
     make_cell(); // weave pattern -> fiber bundles -> NURBS patches -> contact
     results_.begin(*cell_);
-    warn_of_coarse_averages(*cell_, parameters_, log_);
+    contact_checks_.warn_of_coarse_averages(*cell_);
 
     // Weave, release, load: every stage drives the macro unknowns to its
     // targets in load steps of adaptive length.
@@ -79,7 +79,7 @@ namespace NPT
     }();
     state_ = problem.start();
     results_.begin_stage(stage);
-    warn_of_unwoven_bundles(*cell_, parameters_, index, log_);
+    contact_checks_.warn_of_unwoven_bundles(index);
 
     // Newton: bundles + contact; a step that fails is cut.
     LoadStepper stepper(parameters_.newton,
@@ -102,8 +102,7 @@ namespace NPT
                           index,
                           problem.support_forces(step.increment, step.trial));
                     });
-        check_contact(
-          *cell_, parameters_, stage, state_, woven_, results_.curve(), log_);
+        contact_checks_.check(*cell_, stage, state_, woven_, results_.curve());
       }
     catch (const StageFailed &failure)
       {

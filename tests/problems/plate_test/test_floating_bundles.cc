@@ -312,8 +312,8 @@ TEST_CASE("Side contact is on where lines may come near each other", "[top]")
 
 
 
-TEST_CASE("Seams are smooth in twills and satins, unless the file says "
-          "otherwise",
+TEST_CASE("Seams are smooth in all weaves but the plain one, unless the file "
+          "says otherwise",
           "[top]")
 {
   using SmoothClosure = CellParameters::SmoothClosure;
@@ -324,7 +324,7 @@ TEST_CASE("Seams are smooth in twills and satins, unless the file says "
   };
   CHECK(closure({}) == SmoothClosure::no);
   CHECK(closure({"Cell/Weave=2/1 twill"}) == SmoothClosure::yes);
-  CHECK(closure({"Cell/Weave=2/2 rib"}) == SmoothClosure::no);
+  CHECK(closure({"Cell/Weave=2/2 rib"}) == SmoothClosure::yes);
   CHECK(closure({"Cell/Weave=ouou/uouo"}) == SmoothClosure::no);
   CHECK(closure({"Cell/Weave=5-harness satin"}) == SmoothClosure::yes);
   CHECK(closure({"Cell/Weave=5-harness satin", "Cell/Smooth closure=false"}) ==

@@ -8,6 +8,7 @@
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/linear_algebra/constrained_system.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
+#include <npt_dealii/problems/plate_test/contact_checks.h>
 #include <npt_dealii/problems/plate_test/plate_cell.h>
 #include <npt_dealii/problems/plate_test/plate_test_results.h>
 
@@ -108,6 +109,7 @@ namespace NPT
     RunLog                     log_;
     dealii::TimerOutput        timer_;
     PlateTestResults           results_;
+    ContactChecks              contact_checks_;
     std::unique_ptr<PlateCell> cell_;
 
     // The system of the present stage, and its solver.
