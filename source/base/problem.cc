@@ -5,22 +5,43 @@
 #include <npt_dealii/base/problem.h>
 
 #include <filesystem>
+#include <iostream>
 #include <system_error>
 
 namespace NPT
 {
   std::string
   make_output_directory(const CommandLine &command,
-                        const std::string &of_parameters)
+                        const std::string &of_parameters,
+                        const Ranks       &ranks)
   {
     const std::string directory = command.output_directory.empty() ?
                                     of_parameters :
                                     command.output_directory;
-    std::error_code   error;
-    std::filesystem::create_directories(directory, error);
-    if (!std::filesystem::is_directory(directory))
-      throw InputError("The output directory '" + directory +
-                       "' cannot be created: " + error.message() + ".");
-    return directory;
+    std::string       obstacle;
+    if (ranks.is_first())
+      {
+        std::error_code error;
+        std::filesystem::create_directories(directory, error);
+        if (!std::filesystem::is_directory(directory))
+          obstacle = "The output directory '" + directory +
+                     "' cannot be created: " + error.message() + ".";
+      }
+    obstacle = ranks.broadcast(obstacle);
+    if (!obstacle.empty())
+      throw InputError(obstacle);
+    return ranks.is_first() ? directory : "";
+  }
+
+
+
+  void
+  silence_all_but_first(const Ranks &ranks)
+  {
+    if (!ranks.is_first())
+      {
+        std::cout.rdbuf(nullptr);
+        std::cerr.rdbuf(nullptr);
+      }
   }
 } // namespace NPT

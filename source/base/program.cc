@@ -17,10 +17,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <new>
 
 namespace NPT
 {
+  using dealii::Utilities::MPI::MPI_InitFinalize;
+
   namespace
   {
     [[noreturn]] void
@@ -68,7 +71,8 @@ namespace NPT
     run_problem(const Program                      &program,
                 const CommandLine                  &command,
                 char                              **argv,
-                const std::function<void(char **)> &before_computing)
+                const std::function<void(char **)> &before_computing,
+                std::unique_ptr<MPI_InitFinalize>  &mpi)
     {
       // Which problem it is decides which entries there are.
       const ParameterText text = command.parameter_file.empty() ?
@@ -91,12 +95,11 @@ namespace NPT
 
       if (command.action == CommandLine::Action::run)
         before_computing(argv);
-      // One process per run: Trilinos' solvers only need MPI to be there.
       // Threads are not used; the linear algebra of these sizes gains nothing
       // by them.
-      int                                      mpi_argc = 1;
-      char                                   **mpi_argv = argv;
-      dealii::Utilities::MPI::MPI_InitFinalize mpi(mpi_argc, mpi_argv, 1);
+      int    mpi_argc = 1;
+      char **mpi_argv = argv;
+      mpi = std::make_unique<MPI_InitFinalize>(mpi_argc, mpi_argv, 1);
       if (!problem.runs_in_parallel)
         refuse_several_processes(name);
       problem.start(text, command);
@@ -111,6 +114,18 @@ namespace NPT
               char                              **argv,
               const std::function<void(char **)> &before_computing)
   {
+    // Outlives the exceptions: deal.II does not finish MPI while one is on its
+    // way.
+    std::unique_ptr<MPI_InitFinalize> mpi;
+    // What ends one process alone must end the others, which wait for it.
+    const auto end_all = [](const int status) {
+      int is_running = 0;
+      MPI_Initialized(&is_running);
+      if (is_running != 0 &&
+          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+        MPI_Abort(MPI_COMM_WORLD, status);
+      return status;
+    };
     try
       {
         const CommandLine command = parse_command_line(argc, argv);
@@ -119,7 +134,7 @@ namespace NPT
         else if (command.action == CommandLine::Action::version)
           std::cout << version_text();
         else
-          run_problem(program, command, argv, before_computing);
+          run_problem(program, command, argv, before_computing, mpi);
         return 0;
       }
     catch (const InputError &error)
@@ -138,13 +153,13 @@ namespace NPT
         std::cerr << program.name
                   << ": the memory does not suffice. What to try: "
                   << OutOfMemory::remedy() << '.' << std::endl;
-        return 1;
+        return end_all(1);
       }
     catch (const std::exception &error)
       {
         std::cerr << program.name << ": unexpected error, please report it:\n"
                   << error.what() << std::endl;
-        return 3;
+        return end_all(3);
       }
   }
 } // namespace NPT

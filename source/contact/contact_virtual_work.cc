@@ -339,12 +339,19 @@ namespace NPT
   ContactPair<dim>::add_tangent_of_points(
     const ContactView<dim>       &view,
     std::vector<Variations<dim>> &of_points,
-    const AddMatrix              &add) const
+    const AddMatrix              &add,
+    const Ranks                  &ranks) const
   {
     PointFunctions<dim> functions;
     std::vector<double> block;
-    for (const auto &group : groups_of_points(view))
+    const auto          groups = groups_of_points(view);
+    for (unsigned int g = 0; g < groups.size(); ++g)
       {
+        // Averages need the first variations of all their points.
+        const bool is_mine = ranks.has(g);
+        if (!is_mine && nodes_are_points_)
+          continue;
+        const auto &group = groups[g];
         block.clear();
         for (const unsigned int q : group)
           {
@@ -353,12 +360,14 @@ namespace NPT
             block.resize(dealii::Utilities::fixed_power<2>(
                            dim * functions.dofs.size()),
                          0.);
-            add_second_variations(view, q, kinematics, functions, block);
+            if (is_mine)
+              add_second_variations(view, q, kinematics, functions, block);
             point_variations(view, q, kinematics, functions, of_points[q]);
             if (nodes_are_points_)
               add_first_variations(view, q, of_points[q], block);
           }
-        add(all_components<dim>(functions.dofs), block);
+        if (is_mine)
+          add(all_components<dim>(functions.dofs), block);
       }
   }
 
@@ -369,14 +378,15 @@ namespace NPT
   ContactPair<dim>::add_tangent_of_nodes(
     const ContactView<dim>             &view,
     const std::vector<Variations<dim>> &of_points,
-    const AddMatrix                    &add) const
+    const AddMatrix                    &add,
+    const Ranks                        &ranks) const
   {
     Variations<dim>           average;
     std::vector<unsigned int> slot;
     std::vector<double>       block;
     for (unsigned int I = 0; I < n_nodes(); ++I)
       {
-        if (!view.evaluation.nodes[I].active ||
+        if (!ranks.has(I) || !view.evaluation.nodes[I].active ||
             weight(view.step.reach, I) == 0.)
           continue;
         average_variations(view, I, of_points, slot, average);
@@ -394,18 +404,19 @@ namespace NPT
   void
   ContactPair<dim>::add_tangent(const ContactStep<dim>       &step,
                                 const ContactEvaluation<dim> &evaluation,
-                                const AddMatrix              &add) const
+                                const AddMatrix              &add,
+                                const Ranks                  &ranks) const
   {
     assert_belongs(step, evaluation);
     const ContactView<dim>       view{geometry_, step, evaluation};
     std::vector<Variations<dim>> of_points(geometry_.points.size());
     // 1. What belongs to single points: pressure and traction times the second
     // variations, and all of it where a node is a single point.
-    add_tangent_of_points(view, of_points, add);
+    add_tangent_of_points(view, of_points, add, ranks);
     // 2. What couples all points of a node: products of the averaged first
     // variations.
     if (!nodes_are_points_)
-      add_tangent_of_nodes(view, of_points, add);
+      add_tangent_of_nodes(view, of_points, add, ranks);
   }
 
 
@@ -512,7 +523,8 @@ namespace NPT
                                                Vector<double> &) const;        \
   template void ContactPair<dim>::add_tangent(const ContactStep<dim> &,        \
                                               const ContactEvaluation<dim> &,  \
-                                              const AddMatrix &) const;        \
+                                              const AddMatrix &,               \
+                                              const Ranks &) const;            \
   template std::vector<std::vector<unsigned int>>                              \
   ContactPair<dim>::coupled_unknowns(const ContactStep<dim> &,                 \
                                      const ContactEvaluation<dim> &,           \

@@ -9,6 +9,7 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_bernstein.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -294,6 +295,23 @@ namespace NPT
           }
         cells_.push_back(cell);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  IGASpace<dim>::partition(const unsigned int               n,
+                           const std::vector<unsigned int> &work)
+  {
+    AssertDimension(work.size(), triangulation_.n_active_cells());
+#ifdef DEAL_II_WITH_METIS
+    dealii::GridTools::partition_triangulation(
+      n, work, triangulation_, dealii::SparsityTools::Partitioner::metis);
+#else
+    (void)work;
+    dealii::GridTools::partition_triangulation_zorder(n, triangulation_);
+#endif
   }
 
 

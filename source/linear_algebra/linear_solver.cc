@@ -44,37 +44,45 @@ namespace NPT
      *
      * A lower bound of a condition number that does not change when equations
      * are scaled (macro unknowns have other units than displacements; scaling
-     * of unknowns does change it). A factorization in floating point passes
-     * over most singular matrices without a word (pivots are 1e-13 instead of
-     * zero), and the residual of a consistent system stays small, but then
-     * Newton's correction contains rigid motions of arbitrary size. Costs one
-     * solve and one product: the solve is 4 % of a factorization at 1,452
-     * unknowns, 2 % at 15,360. MUMPS' own detection of null pivots (ICNTL(24))
-     * was tried instead: of the six of a free body it finds none with a
-     * threshold of 1e-14 and three with 1e-13.
+     * of unknowns does change it). With several processes absolute values are
+     * taken of what each has assembled. A factorization in floating point
+     * passes over most singular matrices without a word (pivots are 1e-13
+     * instead of zero), and the residual of a consistent system stays small,
+     * but then Newton's correction contains rigid motions of arbitrary size.
+     * Costs one solve and one product: the solve is 4 % of a factorization at
+     * 1,452 unknowns, 2 % at 15,360. MUMPS' own detection of null pivots
+     * (ICNTL(24)) was tried instead: of the six of a free body it finds none
+     * with a threshold of 1e-14 and three with 1e-13.
      */
     std::pair<double, unsigned int>
-    amplification(const CSRMatrix &A, LinearSolver::Backend &backend)
+    amplification(const CSRMatrix       &A,
+                  const Ranks           &ranks,
+                  LinearSolver::Backend &backend)
     {
       const unsigned int n = A.n();
       Vector<double>     s(n), b(n), x(n);
       unsigned int       random = 1;
       for (unsigned int i = 0; i < n; ++i)
+        for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+          s[i] += std::abs(A.values[k]);
+      ranks.sum(s);
+      for (unsigned int i = 0; i < n; ++i)
         {
-          for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-            s[i] += std::abs(A.values[k]);
           random = 1664525 * random + 1013904223; // same on every machine
           b[i]   = (random >> 16) % 2 ? s[i] : -s[i];
         }
       backend.solve(b, x);
 
+      Vector<double> sums(n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+          sums[i] += std::abs(A.values[k] * x[A.columns[k]]);
+      ranks.sum(sums);
       double       largest = 0;
       unsigned int unknown = 0;
       for (unsigned int i = 0; i < n; ++i)
         {
-          double sum = 0;
-          for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-            sum += std::abs(A.values[k] * x[A.columns[k]]);
+          const double sum = sums[i];
           // Written so that NaN counts as largest.
           if (!(sum <= largest * s[i]))
             largest = sum / s[i];
@@ -129,14 +137,21 @@ namespace NPT
 
 
 
-  LinearSolver::LinearSolver(const LinearSolverParameters &given)
+  LinearSolver::LinearSolver(const LinearSolverParameters &given,
+                             const Ranks                  &given_ranks)
     : parameters(given)
+    , ranks(given_ranks)
   {
     using Type = LinearSolverParameters::Type;
+    if (!ranks.is_alone() && parameters.type != Type::MUMPS)
+      throw InputError("Type = " + name_of(parameters.type) +
+                       " solves on one process, but this run has " +
+                       std::to_string(ranks.n()) +
+                       "; choose MUMPS (subsection Linear solver).");
     switch (parameters.type)
       {
         case Type::MUMPS:
-          backend = make_mumps_backend();
+          backend = make_mumps_backend(ranks);
           break;
         case Type::UMFPACK:
           backend = make_umfpack_backend();
@@ -175,7 +190,7 @@ namespace NPT
     ++n_numeric_;
     if (backend->is_direct)
       {
-        const auto [factor, unknown] = amplification(A, *backend);
+        const auto [factor, unknown] = amplification(A, ranks, *backend);
         if (!(factor < singular_amplification))
           {
             std::ostringstream detail;

@@ -5,6 +5,7 @@
 #include <npt_dealii/linear_algebra/linear_solver_backend.h>
 
 #include <deal.II/base/config.h>
+#include <deal.II/base/mpi.h>
 
 #include <dmumps_c.h>
 #ifdef DEAL_II_WITH_METIS
@@ -30,25 +31,47 @@ namespace NPT
      *
      * @param transposed Columns of A^T by rows; METIS wants the graph of
      *   A + A^T without its diagonal.
+     * @param ranks Each has a part of A; the first one gets the order, the
+     *   others nothing.
      */
     std::vector<int>
     nested_dissection(const CSRMatrix                     &A,
-                      const std::vector<std::vector<int>> &transposed)
+                      const std::vector<std::vector<int>> &transposed,
+                      const Ranks                         &ranks)
     {
 #ifdef DEAL_II_WITH_METIS
-      idx_t              n = A.n();
+      idx_t                         n = A.n();
+      std::vector<std::vector<int>> graph(n);
+      for (int i = 0; i < n; ++i)
+        std::set_union(A.columns.begin() + A.row_start[i],
+                       A.columns.begin() + A.row_start[i + 1],
+                       transposed[i].begin(),
+                       transposed[i].end(),
+                       std::back_inserter(graph[i]));
+      if (!ranks.is_alone())
+        {
+          const auto parts =
+            dealii::Utilities::MPI::gather(ranks.communicator(), graph);
+          if (!ranks.is_first())
+            return {};
+          std::vector<int> row;
+          for (unsigned int p = 1; p < parts.size(); ++p)
+            for (int i = 0; i < n; ++i)
+              {
+                row.clear();
+                std::set_union(graph[i].begin(),
+                               graph[i].end(),
+                               parts[p][i].begin(),
+                               parts[p][i].end(),
+                               std::back_inserter(row));
+                graph[i].swap(row);
+              }
+        }
       std::vector<idx_t> start(1, 0), neighbors;
       neighbors.reserve(A.n_nonzeros());
-      std::vector<int> row;
       for (int i = 0; i < n; ++i)
         {
-          row.clear();
-          std::set_union(A.columns.begin() + A.row_start[i],
-                         A.columns.begin() + A.row_start[i + 1],
-                         transposed[i].begin(),
-                         transposed[i].end(),
-                         std::back_inserter(row));
-          for (const int j : row)
+          for (const int j : graph[i])
             if (j != i)
               neighbors.push_back(j);
           start.push_back(neighbors.size());
@@ -70,6 +93,7 @@ namespace NPT
 #else
       (void)A;
       (void)transposed;
+      (void)ranks;
       return {};
 #endif
     }
@@ -90,10 +114,11 @@ namespace NPT
         positive_definite
       };
 
-      explicit MUMPSInstance(const Kind kind_of_matrix)
+      MUMPSInstance(const Kind kind_of_matrix, const Ranks &ranks_of_run)
         : kind(kind_of_matrix)
+        , ranks(ranks_of_run)
       {
-        data.comm_fortran = MPI_Comm_c2f(MPI_COMM_SELF);
+        data.comm_fortran = MPI_Comm_c2f(ranks.communicator());
         data.par          = 1;
         data.sym          = kind == Kind::general ? 0 : 1;
         call(-1);
@@ -107,6 +132,9 @@ namespace NPT
         control(8) = 0;
         // The root is factorized like the rest: the sign of each pivot counts.
         control(13) = 1;
+        // Each process has entries of its own; those of one place are added.
+        if (!ranks.is_alone())
+          control(18) = 3;
       }
 
       ~MUMPSInstance()
@@ -125,15 +153,26 @@ namespace NPT
               std::vector<int> &columns,
               std::vector<int> &order)
       {
-        data.n   = n;
-        data.nnz = rows.size();
-        data.irn = rows.data();
-        data.jcn = columns.data();
-        if (!order.empty())
+        data.n = n;
+        if (ranks.is_alone())
           {
-            control(7)   = 1;
-            data.perm_in = order.data();
+            data.nnz = rows.size();
+            data.irn = rows.data();
+            data.jcn = columns.data();
           }
+        else
+          {
+            data.nnz_loc = rows.size();
+            data.irn_loc = rows.data();
+            data.jcn_loc = columns.data();
+          }
+#ifdef DEAL_II_WITH_METIS
+        control(7) = 1;
+        if (ranks.is_first())
+          data.perm_in = order.data();
+#else
+        (void)order;
+#endif
         analyze();
       }
 
@@ -146,7 +185,7 @@ namespace NPT
         // then more is granted once and for all.
         for (;;)
           {
-            data.a = values.data();
+            (ranks.is_alone() ? data.a : data.a_loc) = values.data();
             call(2);
             const int error = data.infog[0];
             if ((error == -8 || error == -9) && extra_memory < 1000)
@@ -171,6 +210,7 @@ namespace NPT
         data.rhs = x.begin();
         call(3);
         check("solution");
+        ranks.broadcast(x);
       }
 
     private:
@@ -210,6 +250,7 @@ namespace NPT
       }
 
       const Kind     kind;
+      const Ranks    ranks;
       DMUMPS_STRUC_C data         = {};
       int            extra_memory = 35; // per cent
     };
@@ -225,6 +266,10 @@ namespace NPT
     class MUMPSBackend : public LinearSolver::Backend
     {
     public:
+      explicit MUMPSBackend(const Ranks &ranks_of_run)
+        : ranks(ranks_of_run)
+      {}
+
       void
       symbolic(const CSRMatrix &A) override
       {
@@ -236,8 +281,9 @@ namespace NPT
         for (int i = 0; i < static_cast<int>(A.n()); ++i)
           for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
             columns_of_transposed[A.columns[k]].push_back(i);
-        try_positive_definite = find_transposed(columns_of_transposed);
-        order                 = nested_dissection(A, columns_of_transposed);
+        try_positive_definite =
+          ranks.all(find_transposed(columns_of_transposed));
+        order = nested_dissection(A, columns_of_transposed, ranks);
         rows.clear();
         columns.clear();
         lower_rows.clear();
@@ -262,12 +308,12 @@ namespace NPT
       numeric(const CSRMatrix &A) override
       {
         matrix.values = A.values;
-        if (try_positive_definite && is_symmetric())
+        if (try_positive_definite && ranks.all(is_symmetric()))
           {
             if (!positive_definite)
               {
                 positive_definite = std::make_unique<MUMPSInstance>(
-                  MUMPSInstance::Kind::positive_definite);
+                  MUMPSInstance::Kind::positive_definite, ranks);
                 positive_definite->analyze(A.n(),
                                            lower_rows,
                                            lower_columns,
@@ -287,7 +333,8 @@ namespace NPT
         if (!general)
           {
             general =
-              std::make_unique<MUMPSInstance>(MUMPSInstance::Kind::general);
+              std::make_unique<MUMPSInstance>(MUMPSInstance::Kind::general,
+                                              ranks);
             general->analyze(A.n(), rows, columns, order);
           }
         if (!general->factorize(matrix.values))
@@ -307,6 +354,7 @@ namespace NPT
       vmult(Vector<double> &y, const Vector<double> &x) const override
       {
         matrix.vmult(y, x);
+        ranks.sum(y);
       }
 
     private:
@@ -350,6 +398,7 @@ namespace NPT
         return true;
       }
 
+      const Ranks         ranks;
       CSRMatrix           matrix;
       std::vector<int>    transposed; // position of the transposed entry
       std::vector<int>    order, rows, columns;
@@ -365,8 +414,8 @@ namespace NPT
 
 
   std::unique_ptr<LinearSolver::Backend>
-  make_mumps_backend()
+  make_mumps_backend(const Ranks &ranks)
   {
-    return std::make_unique<MUMPSBackend>();
+    return std::make_unique<MUMPSBackend>(ranks);
   }
 } // namespace NPT

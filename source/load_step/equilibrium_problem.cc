@@ -35,6 +35,15 @@ namespace NPT
 
 
 
+  const Ranks &
+  EquilibriumProblem::ranks() const
+  {
+    static const Ranks alone;
+    return alone;
+  }
+
+
+
   const ContactPairs &
   EquilibriumProblem::contacts() const
   {
@@ -99,14 +108,16 @@ namespace NPT
     AssertDimension(trial.contact.size(), contacts().size());
     bool has_all_couplings = true;
     for (unsigned int k = 0; k < contacts().size(); ++k)
-      contacts()[k]->add_tangent(increment.contact[k],
-                                 trial.contact[k],
-                                 [&](const std::vector<unsigned int> &unknowns,
-                                     const std::vector<double>       &K) {
-                                   if (!system.add(unknowns, K))
-                                     has_all_couplings = false;
-                                 });
-    return has_all_couplings;
+      contacts()[k]->add_tangent(
+        increment.contact[k],
+        trial.contact[k],
+        [&](const std::vector<unsigned int> &unknowns,
+            const std::vector<double>       &K) {
+          if (!system.add(unknowns, K))
+            has_all_couplings = false;
+        },
+        ranks());
+    return ranks().all(has_all_couplings);
   }
 
 

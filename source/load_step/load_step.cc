@@ -189,6 +189,7 @@ namespace NPT
     for (unsigned int k = 0; k < system_.n_free(); ++k)
       increment[system_.free_unknown(k)] = 0;
     system_.matrix().vmult(K_increment, increment);
+    problem_.ranks().sum(K_increment);
     for (unsigned int k = 0; k < system_.n_free(); ++k)
       rhs[k] = -r[k] - K_increment[system_.free_unknown(k)];
     solve_linear(rhs, dx);

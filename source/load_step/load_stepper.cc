@@ -42,7 +42,7 @@ namespace NPT
     while (!control.finished())
       {
         // Between steps, where state and results are complete.
-        if (Interruption::requested())
+        if (problem.ranks().any(Interruption::requested()))
           throw StageFailed("Stage " + name +
                               " was interrupted at load factor " +
                               short_number(control.load_factor()) +

@@ -18,7 +18,9 @@ namespace NPT
   DeformableBodies::DeformableBodies(std::vector<DeformablePart> parts,
                                      const Basis                 basis,
                                      const unsigned int          n_gauss_points,
-                                     const SymmetryWeight &symmetry_weight)
+                                     const SymmetryWeight &symmetry_weight,
+                                     const Ranks          &ranks)
+    : ranks_(ranks)
   {
     std::vector<NURBSPatch<3>> patches;
     std::vector<unsigned int>  bodies;
@@ -65,7 +67,19 @@ namespace NPT
                             1);
         gradients_.push_back(std::move(cell));
       }
+    if (!ranks_.is_alone())
+      space_->partition(ranks_.n(), symmetry_weight_);
     look_at_rest();
+  }
+
+
+
+  bool
+  DeformableBodies::is_mine(
+    const dealii::Triangulation<3>::active_cell_iterator &cell) const
+  {
+    return symmetry_weight_[cell->active_cell_index()] > 0 &&
+           (ranks_.is_alone() || cell->subdomain_id() == ranks_.rank());
   }
 
 
@@ -104,8 +118,8 @@ namespace NPT
   DeformableBodies::add_groups(ConstrainedSystem &system) const
   {
     CellGroups groups(gradients_.size(), dealii::numbers::invalid_unsigned_int);
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
-      if (symmetry_weight_[c] > 0)
+    for (const auto &span : space_->triangulation().active_cell_iterators())
+      if (const unsigned int c = span->active_cell_index(); is_mine(span))
         groups[c] = system.add_group(cell_unknowns_[c]);
     return groups;
   }
@@ -115,8 +129,10 @@ namespace NPT
   void
   DeformableBodies::report_inverted_cell(const unsigned int cell) const
   {
-    throw InvertedCell("cell " + std::to_string(cell) + " of " +
-                       names_[space_->cells()[cell].patch]);
+    const unsigned int first = ranks_.min(cell);
+    if (first != dealii::numbers::invalid_unsigned_int)
+      throw InvertedCell("cell " + std::to_string(first) + " of " +
+                         names_[space_->cells()[first].patch]);
   }
 
 
@@ -127,12 +143,14 @@ namespace NPT
   {
     SolidKernel         kernel;
     std::vector<double> w, f;
+    Vector<double>      forces(residual.size());
     double              square_of_forces = 0;
+    unsigned int        inverted = dealii::numbers::invalid_unsigned_int;
     for (const auto &span : space_->triangulation().active_cell_iterators())
       {
-        const unsigned int c = span->active_cell_index();
-        if (symmetry_weight_[c] == 0)
+        if (!is_mine(span))
           continue;
+        const unsigned int c = span->active_cell_index();
         cell_displacement(c, u, w);
         try
           {
@@ -141,15 +159,19 @@ namespace NPT
           }
         catch (const InvertedCell &)
           {
-            report_inverted_cell(c);
+            inverted = c;
+            break;
           }
         for (unsigned int a = 0; a < f.size(); ++a)
           {
-            residual[cell_unknowns_[c][a]] += symmetry_weight_[c] * f[a];
+            forces[cell_unknowns_[c][a]] += symmetry_weight_[c] * f[a];
             square_of_forces += symmetry_weight_[c] * f[a] * f[a];
           }
       }
-    return std::sqrt(square_of_forces);
+    report_inverted_cell(inverted);
+    ranks_.sum(forces);
+    residual += forces;
+    return std::sqrt(ranks_.sum(square_of_forces));
   }
 
 
@@ -162,11 +184,12 @@ namespace NPT
     AssertDimension(groups.size(), gradients_.size());
     SolidKernel         kernel;
     std::vector<double> w, f, K;
+    unsigned int        inverted = dealii::numbers::invalid_unsigned_int;
     for (const auto &span : space_->triangulation().active_cell_iterators())
       {
-        const unsigned int c = span->active_cell_index();
-        if (symmetry_weight_[c] == 0)
+        if (!is_mine(span))
           continue;
+        const unsigned int c = span->active_cell_index();
         cell_displacement(c, u, w);
         try
           {
@@ -175,10 +198,12 @@ namespace NPT
           }
         catch (const InvertedCell &)
           {
-            report_inverted_cell(c);
+            inverted = c;
+            break;
           }
         system.add(groups[c], K, symmetry_weight_[c]);
       }
+    report_inverted_cell(inverted);
   }
 
 

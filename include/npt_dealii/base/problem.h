@@ -7,6 +7,7 @@
 
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/parameter_text.h>
+#include <npt_dealii/base/ranks.h>
 #include <npt_dealii/base/registry.h>
 
 #include <functional>
@@ -69,10 +70,16 @@ namespace NPT
   }
 
   /// The directory of the command line, or else the one of the parameters;
-  /// created if missing. Throws InputError if that is impossible.
+  /// created if missing. Empty on all processes but the first. Throws
+  /// InputError if that is impossible.
   std::string
   make_output_directory(const CommandLine &command,
-                        const std::string &of_parameters);
+                        const std::string &of_parameters,
+                        const Ranks       &ranks = {});
+
+  /// From now on only the first process shows anything on the screen.
+  void
+  silence_all_but_first(const Ranks &ranks);
 } // namespace NPT
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef npt_dealii_contact_contact_pair_h
 #define npt_dealii_contact_contact_pair_h
 
+#include <npt_dealii/base/ranks.h>
 #include <npt_dealii/contact/geometry/contact_search.h>
 #include <npt_dealii/contact/normal_law.h>
 #include <npt_dealii/contact/slip_measure.h>
@@ -113,11 +114,13 @@ namespace NPT
     /// Receives unknowns and a dense matrix (row major) to be added.
     using AddMatrix = std::function<void(const std::vector<unsigned int> &dofs,
                                          const std::vector<double> &matrix)>;
-    /// Hand the blocks of the consistent tangent of the evaluated state out.
+    /// Hand the blocks of the consistent tangent of the evaluated state out,
+    /// each on one of the processes.
     void
     add_tangent(const ContactStep<dim>       &step,
                 const ContactEvaluation<dim> &evaluation,
-                const AddMatrix              &add) const;
+                const AddMatrix              &add,
+                const Ranks                  &ranks = {}) const;
 
     /// Groups of unknowns that the tangent couples, for all nodes that are
     /// closed or nearer than `margin` [mm].
@@ -283,11 +286,13 @@ namespace NPT
     void
     add_tangent_of_points(const ContactView<dim>       &view,
                           std::vector<Variations<dim>> &of_points,
-                          const AddMatrix              &add) const;
+                          const AddMatrix              &add,
+                          const Ranks                  &ranks) const;
     void
     add_tangent_of_nodes(const ContactView<dim>             &view,
                          const std::vector<Variations<dim>> &of_points,
-                         const AddMatrix                    &add) const;
+                         const AddMatrix                    &add,
+                         const Ranks                        &ranks) const;
 
     const ContactGeometry<dim>                    geometry_;
     const bool                                    nodes_are_points_;

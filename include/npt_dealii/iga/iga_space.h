@@ -179,6 +179,15 @@ namespace NPT
     {
       return triangulation_;
     }
+    /**
+     * Give every cell to one of n processes, its subdomain_id(), such that
+     * each has about the same work and few neighbors elsewhere (METIS; along a
+     * space-filling curve if deal.II was built without it).
+     *
+     * @param work Of each cell [any unit].
+     */
+    void
+    partition(const unsigned int n, const std::vector<unsigned int> &work);
     /// The numbering of the elements of a C0 basis: one degree of freedom per
     /// control point, with its number. Not for Basis::NURBS.
     const dealii::DoFHandler<dim> &

@@ -6,6 +6,7 @@
 #define npt_dealii_linear_algebra_linear_solver_h
 
 #include <npt_dealii/base/parameter_binding.h>
+#include <npt_dealii/base/ranks.h>
 #include <npt_dealii/linear_algebra/csr_matrix.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -42,9 +43,10 @@ namespace NPT
   enum_names<LinearSolverParameters::Type>();
 
   /**
-   * Solve A x = b for a general (friction: unsymmetric) sparse matrix on one
-   * process. With several MPI processes every one of them solves its own
-   * system; nothing is communicated.
+   * Solve A x = b for a general (friction: unsymmetric) sparse matrix. With
+   * several processes A is the sum of what they have: each hands over what it
+   * has assembled, in a matrix of full size whose pattern has only that. MUMPS
+   * alone takes such a matrix; the others work on one process.
    *
    * What depends on the pattern only (ordering, symbolic factorization, copies
    * of the index arrays) is kept as long as CSRMatrix::pattern_id() stays the
@@ -72,7 +74,10 @@ namespace NPT
   class LinearSolver
   {
   public:
-    explicit LinearSolver(const LinearSolverParameters &parameters);
+    /// @param ranks The processes among which the entries of the matrix are
+    ///   distributed; right-hand sides and solutions are the same on all.
+    explicit LinearSolver(const LinearSolverParameters &parameters,
+                          const Ranks                  &ranks = {});
     ~LinearSolver();
 
     LinearSolver(const LinearSolver &) = delete;
@@ -133,6 +138,7 @@ namespace NPT
 
   private:
     const LinearSolverParameters parameters;
+    const Ranks                  ranks;
     std::unique_ptr<Backend>     backend;
     unsigned int                 n_unknowns = 0;
     bool                         usable     = false;

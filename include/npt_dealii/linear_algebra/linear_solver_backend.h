@@ -40,7 +40,7 @@ namespace NPT
   };
 
   std::unique_ptr<LinearSolver::Backend>
-  make_mumps_backend();
+  make_mumps_backend(const Ranks &ranks);
   std::unique_ptr<LinearSolver::Backend>
   make_umfpack_backend();
   /// GMRES with an incomplete factorization.

@@ -4,6 +4,7 @@
 #ifndef npt_dealii_load_step_equilibrium_problem_h
 #define npt_dealii_load_step_equilibrium_problem_h
 
+#include <npt_dealii/base/ranks.h>
 #include <npt_dealii/contact/contact_pair.h>
 #include <npt_dealii/linear_algebra/constrained_system.h>
 #include <npt_dealii/load_step/state.h>
@@ -52,8 +53,8 @@ namespace NPT
     /**
      * Add dR/du at an evaluated trial to a system set to zero. Contact comes
      * first: if the pattern of the system lacks one of its couplings, the
-     * return is false, the matrix is of no use, and the caller widens the
-     * pattern by couplings().
+     * return is false on all processes, the matrix is of no use, and the
+     * caller widens the pattern by couplings().
      */
     virtual bool
     add_tangent(const Increment   &increment,
@@ -92,6 +93,10 @@ namespace NPT
     accept(const State     &before,
            const Increment &increment,
            const Trial     &trial) const;
+
+    /// The processes that share the work; by default this one alone.
+    virtual const Ranks &
+    ranks() const;
 
     /// Pairs whose friction and multipliers are part of the state.
     virtual const ContactPairs &

@@ -5,6 +5,7 @@
 #ifndef npt_dealii_solid_deformable_bodies_h
 #define npt_dealii_solid_deformable_bodies_h
 
+#include <npt_dealii/base/ranks.h>
 #include <npt_dealii/iga/iga_space.h>
 #include <npt_dealii/linear_algebra/constrained_system.h>
 #include <npt_dealii/material/ellipticity.h>
@@ -64,7 +65,16 @@ namespace NPT
     DeformableBodies(std::vector<DeformablePart> parts,
                      const Basis                 basis,
                      const unsigned int          n_gauss_points  = 0,
-                     const SymmetryWeight       &symmetry_weight = {});
+                     const SymmetryWeight       &symmetry_weight = {},
+                     const Ranks                &ranks           = {});
+
+    /// The processes that share the cells: each assembles those of its
+    /// subdomain.
+    const Ranks &
+    ranks() const
+    {
+      return ranks_;
+    }
 
     const IGASpace<3> &
     space() const
@@ -107,7 +117,8 @@ namespace NPT
                       const dealii::Vector<double> &u,
                       std::vector<double>          &w) const;
 
-    /// Numbers of the cells' groups in a system, by cell; invalid if m_c = 0.
+    /// Numbers of the cells' groups in a system, by cell; invalid if the cell
+    /// has m_c = 0 or is another process's.
     using CellGroups = std::vector<unsigned int>;
 
     /**
@@ -120,7 +131,8 @@ namespace NPT
     add_groups(ConstrainedSystem &system) const;
 
     /**
-     * Add the internal forces at u to a full residual.
+     * Add the internal forces of all cells at u to a full residual, which the
+     * processes get all.
      *
      * @return Their size before they cancel between cells,
      *   (sum_c m_c |f_c|^2)^(1/2) [N], against which the convergence of
@@ -133,7 +145,7 @@ namespace NPT
                  dealii::Vector<double>       &residual) const;
 
     /**
-     * Add the tangent at u to a system.
+     * Add the tangent at u of the cells of this process to a system.
      *
      * @param groups What add_groups() returned for this system.
      *
@@ -219,9 +231,15 @@ namespace NPT
     Ellipticity
     search_ellipticity(const dealii::Vector<double> &u,
                        const bool                    losses_only) const;
-    [[noreturn]] void
+    // Throws InvertedCell on all processes if one of them found such a cell;
+    // invalid_unsigned_int: none here.
+    void
     report_inverted_cell(const unsigned int cell) const;
 
+    bool
+    is_mine(const dealii::Triangulation<3>::active_cell_iterator &cell) const;
+
+    Ranks                                            ranks_;
     std::unique_ptr<IGASpace<3>>                     space_;
     std::vector<std::unique_ptr<HyperelasticLaw<3>>> laws_;  // by patch
     std::vector<std::string>                         names_; // by patch

@@ -20,13 +20,15 @@ namespace NPT
   NumericalPlateTesting::NumericalPlateTesting(
     const PlateTestParameters &parameters,
     const std::string         &directory,
-    std::ostream              &screen)
+    std::ostream              &screen,
+    const Ranks               &ranks)
     : parameters_(parameters)
+    , ranks_(ranks)
     , log_(RunLog::in_folder(directory, screen))
     , timer_(screen, TimerOutput::never, TimerOutput::cpu_and_wall_times)
     , results_(parameters_, directory, log_, timer_)
     , contact_checks_(parameters_, log_)
-    , linear_solver_(parameters_.linear_solver)
+    , linear_solver_(parameters_.linear_solver, ranks_)
   {}
 
 
@@ -61,7 +63,7 @@ namespace NPT
   NumericalPlateTesting::make_cell()
   {
     TimerOutput::Scope timer(timer_, "Set up");
-    cell_  = std::make_unique<PlateCell>(parameters_);
+    cell_  = std::make_unique<PlateCell>(parameters_, ranks_);
     state_ = cell_->initial_state();
   }
 

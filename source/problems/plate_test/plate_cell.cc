@@ -17,7 +17,9 @@ namespace NPT
   namespace
   {
     DeformableBodies
-    make_bundles(const FabricCell &cell, const PlateTestParameters &parameters)
+    make_bundles(const FabricCell          &cell,
+                 const PlateTestParameters &parameters,
+                 const Ranks               &ranks)
     {
       std::vector<DeformablePart> parts;
       for (const FiberBundle &bundle : cell.bundles())
@@ -31,21 +33,23 @@ namespace NPT
            "bundle " + std::to_string(parts.size())});
       // A cell and its image under the 2-fold axis do the same work: one of
       // them is integrated, twice.
-      return DeformableBodies(std::move(parts),
-                              parameters.mesh.basis,
-                              0,
-                              [&](const unsigned int bundle,
-                                  const Point<3>    &center) {
-                                return cell.symmetry_weight(bundle, center);
-                              });
+      return DeformableBodies(
+        std::move(parts),
+        parameters.mesh.basis,
+        0,
+        [&](const unsigned int bundle, const Point<3> &center) {
+          return cell.symmetry_weight(bundle, center);
+        },
+        ranks);
     }
   } // namespace
 
 
 
-  PlateCell::PlateCell(const PlateTestParameters &parameters)
+  PlateCell::PlateCell(const PlateTestParameters &parameters,
+                       const Ranks               &ranks)
     : fabric_(parameters.cell, parameters.mesh)
-    , bodies_(make_bundles(fabric_, parameters))
+    , bodies_(make_bundles(fabric_, parameters, ranks))
     , macro_(bodies_.space().n_control_points())
     , contacts_(make_cell_contacts(fabric_,
                                    bodies_.space(),

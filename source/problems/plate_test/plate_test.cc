@@ -16,11 +16,16 @@ namespace NPT
   void
   run_plate_test(const PlateTestParameters &parameters,
                  const std::string         &directory,
-                 std::ostream              &screen)
+                 std::ostream              &screen,
+                 const Ranks               &ranks)
   {
     const Interruption    interruption;
-    NumericalPlateTesting test(parameters, directory, screen);
-    const auto            summarize = [&]() {
+    NumericalPlateTesting test(parameters, directory, screen, ranks);
+    const auto            write = [&](const RunSummary &summary) {
+      if (ranks.is_first())
+        write_run_summary(directory + "/summary.csv", summary);
+    };
+    const auto summarize = [&]() {
       RunSummary summary = summarize_curve(test.curve());
       summary.status     = "done";
       summary.n_unknowns = test.n_unknowns();
@@ -44,10 +49,10 @@ namespace NPT
           cuts_of_stage += row.stage == failure.stage() ? row.cuts : 0;
         summary.cuts +=
           std::max(failure.n_cuts(), cuts_of_stage) - cuts_of_stage;
-        write_run_summary(directory + "/summary.csv", summary);
+        write(summary);
         throw;
       }
-    write_run_summary(directory + "/summary.csv", summarize());
+    write(summarize());
   }
 
 
@@ -57,20 +62,25 @@ namespace NPT
     void
     start(const ParameterText &text, const CommandLine &command)
     {
+      const Ranks ranks(MPI_COMM_WORLD);
+      silence_all_but_first(ranks);
       const auto parameters =
         PlateTestParameters::read(text, command.overrides);
       if (done_with_parameters(command, parameters))
         return;
       const std::string directory =
-        make_output_directory(command, parameters.output.directory);
+        make_output_directory(command, parameters.output.directory, ranks);
       if (command.action == CommandLine::Action::geometry)
-        NumericalPlateTesting(parameters, directory, std::cout).preview();
+        {
+          if (ranks.is_first())
+            NumericalPlateTesting(parameters, directory, std::cout).preview();
+        }
       else
-        run_plate_test(parameters, directory, std::cout);
+        run_plate_test(parameters, directory, std::cout, ranks);
     }
 
-    const Registry<Problem>::Registration
-      registration("plate test",
-                   {0, "numerical plate testing of a woven cell", start, true});
+    const Registry<Problem>::Registration registration(
+      "plate test",
+      {0, "numerical plate testing of a woven cell", start, true, true});
   } // namespace
 } // namespace NPT

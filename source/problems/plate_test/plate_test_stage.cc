@@ -303,7 +303,8 @@ namespace NPT
       if (!add_contact_tangent(increment, trial, system))
         return false;
     }
-    foundation_.add_tangent(foundation_share(increment.load_factor), system);
+    if (ranks().is_first())
+      foundation_.add_tangent(foundation_share(increment.load_factor), system);
     const auto scope = section(timer_, "Tangent: bundles");
     cell_.bodies().add_tangent(trial.u, cell_groups_, system);
     return true;

@@ -40,10 +40,13 @@ namespace NPT
      * @param directory Existing folder for all results; empty: write nothing
      *   (tests).
      * @param screen Where the log is shown.
+     * @param ranks The processes that compute the test together; all but the
+     *   first get no folder and a screen that shows nothing.
      */
     NumericalPlateTesting(const PlateTestParameters &parameters,
                           const std::string         &directory,
-                          std::ostream              &screen);
+                          std::ostream              &screen,
+                          const Ranks               &ranks = {});
 
     /// The whole test. Throws StageFailed if a stage cannot be finished or the
     /// run is interrupted; all results up to there are complete on disk.
@@ -106,6 +109,7 @@ namespace NPT
     give_up(const StageFailed &failure, const unsigned int index);
 
     const PlateTestParameters  parameters_;
+    const Ranks                ranks_;
     RunLog                     log_;
     dealii::TimerOutput        timer_;
     PlateTestResults           results_;

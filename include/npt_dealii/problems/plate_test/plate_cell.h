@@ -31,7 +31,9 @@ namespace NPT
   public:
     /// Weave pattern -> fiber bundles -> NURBS patches -> knot spans, contact
     /// pairs and their periodic images.
-    explicit PlateCell(const PlateTestParameters &parameters);
+    /// @param ranks The processes that share the cells of the bundles.
+    explicit PlateCell(const PlateTestParameters &parameters,
+                       const Ranks               &ranks = {});
 
     const FabricCell &
     fabric() const

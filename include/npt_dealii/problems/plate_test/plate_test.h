@@ -16,12 +16,15 @@ namespace NPT
    * Run all stages and write summary.csv, also if a stage fails; then
    * StageFailed is thrown on.
    *
-   * @param directory Existing folder for all results.
+   * @param directory Existing folder for all results; empty on all processes
+   *   but the first.
+   * @param ranks The processes that compute the run together.
    */
   void
   run_plate_test(const PlateTestParameters &parameters,
                  const std::string         &directory,
-                 std::ostream              &screen);
+                 std::ostream              &screen,
+                 const Ranks               &ranks = {});
 } // namespace NPT
 
 #endif

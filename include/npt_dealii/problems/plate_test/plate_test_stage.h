@@ -92,6 +92,11 @@ namespace NPT
     /// At a converged trial.
     SupportForces
     support_forces(const Increment &increment, const Trial &trial) const;
+    const Ranks &
+    ranks() const override
+    {
+      return cell_.bodies().ranks();
+    }
     const ContactPairs &
     contacts() const override
     {

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The MPI processes of one run.
+
+#include <npt_dealii/base/ranks.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace NPT
+{
+  Ranks::Ranks(const MPI_Comm communicator)
+    : communicator_(communicator)
+    , n_(dealii::Utilities::MPI::n_mpi_processes(communicator))
+    , rank_(dealii::Utilities::MPI::this_mpi_process(communicator))
+  {}
+
+
+
+  namespace
+  {
+    // MPI_Allreduce may add in another order on each process.
+    void
+    reduce(double         *x,
+           const int       size,
+           const MPI_Op    operation,
+           const bool      is_first,
+           const MPI_Comm &communicator)
+    {
+      MPI_Reduce(is_first ? MPI_IN_PLACE : x,
+                 x,
+                 size,
+                 MPI_DOUBLE,
+                 operation,
+                 0,
+                 communicator);
+      MPI_Bcast(x, size, MPI_DOUBLE, 0, communicator);
+    }
+  } // namespace
+
+
+
+  void
+  Ranks::sum(dealii::Vector<double> &x) const
+  {
+    if (!is_alone())
+      reduce(x.begin(), x.size(), MPI_SUM, is_first(), communicator_);
+  }
+
+
+
+  double
+  Ranks::sum(const double x) const
+  {
+    double result = x;
+    if (!is_alone())
+      reduce(&result, 1, MPI_SUM, is_first(), communicator_);
+    return result;
+  }
+
+
+
+  double
+  Ranks::max(const double x) const
+  {
+    double result = x;
+    if (!is_alone())
+      reduce(&result, 1, MPI_MAX, is_first(), communicator_);
+    return result;
+  }
+
+
+
+  unsigned int
+  Ranks::min(const unsigned int x) const
+  {
+    return is_alone() ? x : dealii::Utilities::MPI::min(x, communicator_);
+  }
+
+
+
+  bool
+  Ranks::all(const bool yes) const
+  {
+    return min(yes ? 1u : 0u) == 1;
+  }
+
+
+
+  bool
+  Ranks::any(const bool yes) const
+  {
+    return !all(!yes);
+  }
+
+
+
+  void
+  Ranks::broadcast(dealii::Vector<double> &x) const
+  {
+    if (!is_alone())
+      MPI_Bcast(x.begin(), x.size(), MPI_DOUBLE, 0, communicator_);
+  }
+
+
+
+  std::string
+  Ranks::broadcast(const std::string &text) const
+  {
+    if (is_alone())
+      return text;
+    unsigned int size = text.size();
+    MPI_Bcast(&size, 1, MPI_UNSIGNED, 0, communicator_);
+    std::string result = is_first() ? text : std::string(size, ' ');
+    MPI_Bcast(result.data(), size, MPI_CHAR, 0, communicator_);
+    return result;
+  }
+} // namespace NPT
