@@ -137,17 +137,25 @@ namespace NPT
 
 
 
+  void
+  LinearSolverParameters::check(const Ranks &ranks) const
+  {
+    if (!ranks.is_alone() && type != Type::MUMPS)
+      throw InputError("Type = " + name_of(type) +
+                       " solves on one process, but this run has " +
+                       std::to_string(ranks.n()) +
+                       "; choose MUMPS (subsection Linear solver).");
+  }
+
+
+
   LinearSolver::LinearSolver(const LinearSolverParameters &given,
                              const Ranks                  &given_ranks)
     : parameters(given)
     , ranks(given_ranks)
   {
     using Type = LinearSolverParameters::Type;
-    if (!ranks.is_alone() && parameters.type != Type::MUMPS)
-      throw InputError("Type = " + name_of(parameters.type) +
-                       " solves on one process, but this run has " +
-                       std::to_string(ranks.n()) +
-                       "; choose MUMPS (subsection Linear solver).");
+    parameters.check(ranks);
     switch (parameters.type)
       {
         case Type::MUMPS:

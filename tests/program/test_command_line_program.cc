@@ -292,8 +292,8 @@ TEST_CASE("An output directory that cannot be made ends with status 2", "[top]")
 
 
 
-TEST_CASE("One run in several processes is refused with status 2 before it "
-          "makes a folder",
+TEST_CASE("A problem of one process is refused under mpirun with status 2 "
+          "before it makes a folder",
           "[top]")
 {
   const fs::path    work    = fresh_folder("mpirun");
@@ -302,8 +302,8 @@ TEST_CASE("One run in several processes is refused with status 2 before it "
                               "OMPI_ALLOW_RUN_AS_ROOT=1 "
                               "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
                               "mpirun --oversubscribe -n 2 '" NPT_PROGRAM
-                              "' '" +
-                              shear + "' > out.txt 2> err.txt";
+                              "' '" NPT_SOURCE_DIR
+                              "/prm/nmt.prm' > out.txt 2> err.txt";
   const int status = std::system(command.c_str());
   REQUIRE(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 2);

@@ -36,6 +36,10 @@ namespace NPT
     /// Bind the members to the entries of the subsection.
     void
     add_parameters(dealii::ParameterHandler &prm);
+
+    /// Throws InputError if the solver cannot work on these processes.
+    void
+    check(const Ranks &ranks) const;
   };
 
   template <>

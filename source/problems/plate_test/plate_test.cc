@@ -68,6 +68,7 @@ namespace NPT
         PlateTestParameters::read(text, command.overrides);
       if (done_with_parameters(command, parameters))
         return;
+      parameters.linear_solver.check(ranks);
       const std::string directory =
         make_output_directory(command, parameters.output.directory, ranks);
       if (command.action == CommandLine::Action::geometry)

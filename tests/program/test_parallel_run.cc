@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Claims about one run on several processes.
+
+#include <npt_dealii/io/table_file.h>
+
+#include <catch2/catch.hpp>
+
+#include <set>
+
+#include "run_program.h"
+
+using namespace NPT;
+using namespace TopTests;
+namespace fs = std::filesystem;
+
+namespace
+{
+  // mpirun -n N in a clean environment, also as root of a container and with
+  // more processes than cores.
+  ProgramResult
+  run_on(const unsigned int              n,
+         const fs::path                 &work,
+         const std::vector<std::string> &arguments)
+  {
+    std::vector<std::string> all = {"-i",
+                                    "PATH=" + std::string(std::getenv("PATH")),
+                                    "HOME=" + work.string(),
+                                    "OPENBLAS_NUM_THREADS=1",
+                                    "OMPI_ALLOW_RUN_AS_ROOT=1",
+                                    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
+                                    "mpirun",
+                                    "--oversubscribe",
+                                    "-n",
+                                    std::to_string(n),
+                                    NPT_PROGRAM};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run_program(work, all, "env");
+  }
+
+  const std::vector<std::string> coarse = {
+    NPT_SOURCE_DIR "/prm/shear.prm",
+    "--set=Mesh/Elements along=3",
+    "--set=Mesh/Elements across=3",
+    "--set=Mesh/Elements through=1",
+    "--set=Load programme/Stage shear/Targets=H3: 0.02",
+    "--set=Load programme/Stage shear/Initial step=0.5",
+    "--set=Load programme/Stage shear/Maximum step=0.5"};
+
+  std::set<std::string>
+  files_in(const fs::path &work)
+  {
+    std::set<std::string> names;
+    for (const auto &file : fs::directory_iterator(work))
+      names.insert(file.path().filename());
+    return names;
+  }
+
+  // Largest difference of two columns over the largest entry.
+  double
+  difference(const std::vector<double> &a, const std::vector<double> &b)
+  {
+    REQUIRE(a.size() == b.size());
+    double largest = 0, size = 0;
+    for (unsigned int k = 0; k < a.size(); ++k)
+      {
+        largest = std::max(largest, std::abs(a[k] - b[k]));
+        size    = std::max(size, std::abs(a[k]));
+      }
+    return size == 0 ? largest : largest / size;
+  }
+} // namespace
+
+TEST_CASE("Two and three processes give the curve and the files of one",
+          "[top]")
+{
+  const fs::path work = fresh_folder("parallel");
+  REQUIRE(run_program(work,
+                      [&]() {
+                        auto arguments = coarse;
+                        arguments.push_back("--output=one");
+                        return arguments;
+                      }())
+            .status == 0);
+  const Table one = read_table((work / "one/curves.csv").string());
+  for (const unsigned int n : {2, 3})
+    {
+      const std::string name      = std::to_string(n);
+      auto              arguments = coarse;
+      arguments.push_back("--output=" + name);
+      const ProgramResult result = run_on(n, work, arguments);
+      INFO(n << " processes: " << result.err);
+      REQUIRE(result.status == 0);
+      const Table several = read_table((work / name / "curves.csv").string());
+      for (const std::string column :
+           {"n1", "n2", "n3", "stored_energy", "dissipation", "n_slip"})
+        {
+          INFO(column);
+          CHECK(difference(one.column(column), several.column(column)) < 1e-8);
+        }
+      CHECK(files_in(work / name) == files_in(work / "one"));
+      // One of them speaks for all.
+      CHECK(result.out.find("Factorizations") ==
+            result.out.rfind("Factorizations"));
+    }
+}
+
+
+
+TEST_CASE("Of several processes one says what is wrong, with the exit status "
+          "of one",
+          "[top]")
+{
+  const fs::path work      = fresh_folder("parallel_errors");
+  auto           arguments = coarse;
+  const auto     n_said    = [](const std::string &text) {
+    unsigned int n = 0;
+    for (auto at = text.find("npt_dealii: "); at != std::string::npos;
+         at      = text.find("npt_dealii: ", at + 1))
+      ++n;
+    return n;
+  };
+  SECTION("input that cannot be used")
+  {
+    arguments.push_back("--set=Cell/Bundle width=-1");
+    const ProgramResult result = run_on(2, work, arguments);
+    CHECK(result.status == 2);
+    CHECK(n_said(result.err) == 1);
+    CHECK_FALSE(fs::exists(work / "output"));
+  }
+  SECTION("a solver that works on one process")
+  {
+    arguments.push_back("--set=Linear solver/Type=ILU");
+    const ProgramResult result = run_on(2, work, arguments);
+    CHECK(result.status == 2);
+    CHECK_THAT(result.err, Catch::Contains("choose MUMPS"));
+    CHECK_FALSE(fs::exists(work / "output"));
+  }
+  SECTION("a folder that cannot be made")
+  {
+    std::ofstream(work / "file") << "no folder\n";
+    arguments.push_back("--output=file/below");
+    const ProgramResult result = run_on(2, work, arguments);
+    CHECK(result.status == 2);
+    CHECK(n_said(result.err) == 1);
+  }
+  SECTION("a stage that fails")
+  {
+    arguments.push_back("--set=Newton/Maximum iterations=1");
+    arguments.push_back("--set=Load programme/Stage weave/Minimum step=0.02");
+    arguments.push_back("--output=failed");
+    const ProgramResult result = run_on(2, work, arguments);
+    CHECK(result.status == 1);
+    CHECK(n_said(result.err) == 1);
+    CHECK_THAT(read_text(work / "failed/summary.csv"),
+               Catch::Contains("failed"));
+  }
+}
