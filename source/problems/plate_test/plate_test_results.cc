@@ -15,6 +15,8 @@
 #include <npt_dealii/problems/plate_test/plate_test_results.h>
 #include <npt_dealii/solid/solid_fields.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -391,11 +393,20 @@ namespace NPT
         if (!warning.empty())
           log_.warning(warning);
       }
+    const Ranks      &ranks = cell.bodies().ranks();
+    const std::size_t n_nonzeros =
+      ranks.sum(static_cast<double>(system.free_matrix().n_nonzeros()));
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    const double gigabytes = ranks.sum(1e-6 * memory.VmHWM);
     log_.line("Factorizations: " + std::to_string(linear_solver.n_numeric()) +
               " (" + std::to_string(linear_solver.n_symbolic()) +
               " new patterns), " + std::to_string(system.n_free()) +
-              " free unknowns, " +
-              std::to_string(system.free_matrix().n_nonzeros()) + " nonzeros");
+              " free unknowns, " + std::to_string(n_nonzeros) +
+              " nonzeros; peak memory " + short_number(gigabytes, 2) + " GB" +
+              (ranks.is_alone() ?
+                 "" :
+                 " on " + std::to_string(ranks.n()) + " processes"));
     timer_.print_summary();
   }
 
