@@ -383,6 +383,13 @@ namespace NPT
       }
     report_energies();
     warn_of_penetration();
+    // All processes take part in the sums.
+    const Ranks      &ranks = cell.bodies().ranks();
+    const std::size_t n_nonzeros =
+      ranks.sum(static_cast<double>(system.free_matrix().n_nonzeros()));
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    const double gigabytes = ranks.sum(1e-6 * memory.VmHWM);
     if (directory_.empty())
       return;
     draw_cells();
@@ -393,12 +400,6 @@ namespace NPT
         if (!warning.empty())
           log_.warning(warning);
       }
-    const Ranks      &ranks = cell.bodies().ranks();
-    const std::size_t n_nonzeros =
-      ranks.sum(static_cast<double>(system.free_matrix().n_nonzeros()));
-    dealii::Utilities::System::MemoryStats memory;
-    dealii::Utilities::System::get_memory_stats(memory);
-    const double gigabytes = ranks.sum(1e-6 * memory.VmHWM);
     log_.line("Factorizations: " + std::to_string(linear_solver.n_numeric()) +
               " (" + std::to_string(linear_solver.n_symbolic()) +
               " new patterns), " + std::to_string(system.n_free()) +
