@@ -303,6 +303,20 @@ namespace NPT
 
 
 
+  template <>
+  const EnumNames<MeshParameters::CoarserWeaving> &
+  enum_names<MeshParameters::CoarserWeaving>()
+  {
+    using CoarserWeaving = MeshParameters::CoarserWeaving;
+    static const EnumNames<CoarserWeaving> names = {
+      {CoarserWeaving::automatic, "automatic"},
+      {CoarserWeaving::yes, "true"},
+      {CoarserWeaving::no, "false"}};
+    return names;
+  }
+
+
+
   void
   MeshParameters::add_parameters(dealii::ParameterHandler &prm)
   {
@@ -334,5 +348,16 @@ namespace NPT
                   elements_through,
                   "Knot spans through the thickness [-].",
                   Patterns::Integer(1, 50));
+    add_parameter(
+      prm,
+      "Weave on coarser mesh",
+      coarser_weaving,
+      "Weave on half as many elements first (if those are many, on a quarter "
+      "before) and carry the woven state over: the weave stage is then one "
+      "load step, for a fraction of the time. Without friction the woven state "
+      "does not depend on the way to it; with friction in the weave stage, and "
+      "with Basis = Lagrange, the entry has no effect. automatic: from 10,000 "
+      "unknowns on. A state that does not serve is no failure: weaving then "
+      "begins with straight bundles.");
   }
 } // namespace NPT

@@ -204,22 +204,31 @@ namespace NPT
       knots.insert(knots.end(), multiplicity(breaks_[b]) + times, breaks_[b]);
     elevated = KnotVector(p, knots);
 
-    const unsigned int n = elevated.n_functions();
-    FullMatrix<double> B_new(n, n), B_old(n, n_functions()),
+    return interpolation_operator(elevated);
+  }
+
+
+
+  FullMatrix<double>
+  KnotVector::interpolation_operator(const KnotVector &other) const
+  {
+    const unsigned int n = other.n_functions();
+    FullMatrix<double> B_other(n, n), B_this(n, n_functions()),
       T(n, n_functions());
     for (unsigned int i = 0; i < n; ++i)
       {
-        const double       u     = elevated.greville(i);
-        const unsigned int e     = find_span(u);
-        const auto         v_new = elevated.values(e, u, 0);
-        const auto         v_old = values(e, u, 0);
-        for (unsigned int a = 0; a <= p; ++a)
-          B_new(i, elevated.first_function(e) + a) = v_new[0][a];
-        for (unsigned int a = 0; a <= degree_; ++a)
-          B_old(i, first_function(e) + a) = v_old[0][a];
+        const double u   = other.greville(i);
+        const auto   add = [&](const KnotVector &knots, FullMatrix<double> &B) {
+          const unsigned int e = knots.find_span(u);
+          const auto         v = knots.values(e, u, 0);
+          for (unsigned int a = 0; a <= knots.degree(); ++a)
+            B(i, knots.first_function(e) + a) = v[0][a];
+        };
+        add(other, B_other);
+        add(*this, B_this);
       }
-    B_new.gauss_jordan();
-    B_new.mmult(T, B_old);
+    B_other.gauss_jordan();
+    B_other.mmult(T, B_this);
     return T;
   }
 

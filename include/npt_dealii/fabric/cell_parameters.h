@@ -129,11 +129,23 @@ namespace NPT
     unsigned int elements_along   = 9;
     unsigned int elements_across  = 9;
     unsigned int elements_through = 2;
+    /// Weave on half as many elements first.
+    enum class CoarserWeaving
+    {
+      automatic,
+      yes,
+      no
+    };
+    CoarserWeaving coarser_weaving = CoarserWeaving::automatic;
 
     /// Bind the members to the entries of the subsection.
     void
     add_parameters(dealii::ParameterHandler &prm);
   };
+
+  template <>
+  const EnumNames<MeshParameters::CoarserWeaving> &
+  enum_names<MeshParameters::CoarserWeaving>();
 } // namespace NPT
 
 #endif

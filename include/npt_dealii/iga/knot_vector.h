@@ -105,6 +105,16 @@ namespace NPT
     dealii::FullMatrix<double>
     elevation_operator(const unsigned int times, KnotVector &elevated) const;
 
+    /**
+     * Interpolation at the Greville abscissae of another knot vector on the
+     * same interval: coefficients there are T times those here. Exact if every
+     * spline of this one is a spline of the other one, too.
+     *
+     * @return T, n_other x n_this.
+     */
+    dealii::FullMatrix<double>
+    interpolation_operator(const KnotVector &other) const;
+
     /// Knots that split every span into `parts` equal parts.
     std::vector<double>
     subdividing_knots(const unsigned int parts) const;

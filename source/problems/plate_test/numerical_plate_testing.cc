@@ -5,8 +5,8 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
-#include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/plate_test/cell_preview.h>
+#include <npt_dealii/problems/plate_test/coarser_weaving.h>
 #include <npt_dealii/problems/plate_test/failure_advice.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
@@ -73,37 +73,14 @@ namespace NPT
   NumericalPlateTesting::run_stage(const unsigned int index)
   {
     const LoadStage &stage = parameters_.load_programme.stages[index];
-    // Couplings, prescribed unknowns, friction on or off.
-    const PlateTestStage problem = [&]() {
-      TimerOutput::Scope timer(timer_, "Set up");
-      return PlateTestStage(
-        *cell_, parameters_, index, state_, woven_, system_, &timer_);
-    }();
-    state_ = problem.start();
     results_.begin_stage(stage);
     contact_checks_.warn_of_unwoven_bundles(index);
-
-    // Newton: bundles + contact; a step that fails is cut.
-    LoadStepper stepper(parameters_.newton,
-                        parameters_.contact,
-                        system_,
-                        linear_solver_,
-                        log_,
-                        &timer_);
     try
       {
-        stepper.run(problem,
-                    problem.start(),
-                    stage.steps,
-                    stage.name,
-                    LoadStepper::Predictor::extrapolation,
-                    [&](const AcceptedStep &step) {
-                      accept_step(stage, step);
-                      if (state_.load_factor == 1.)
-                        results_.report_supports(
-                          index,
-                          problem.support_forces(step.increment, step.trial));
-                    });
+        if (index > 0 || !weave_from_coarser_mesh())
+          run_steps(index, state_, stage.steps, [&](const AcceptedStep &step) {
+            accept_step(stage, step);
+          });
         contact_checks_.check(*cell_, stage, state_, woven_, results_.curve());
       }
     catch (const StageFailed &failure)
@@ -123,6 +100,105 @@ namespace NPT
                 index);
       }
     results_.end_stage(*cell_, stage, state_, woven_);
+  }
+
+
+
+  void
+  NumericalPlateTesting::run_steps(const unsigned int          index,
+                                   const State                &start,
+                                   const StepParameters       &steps,
+                                   const LoadStepper::Visitor &visitor)
+  {
+    const LoadStage &stage = parameters_.load_programme.stages[index];
+    // Couplings, prescribed unknowns, friction on or off.
+    const PlateTestStage problem = [&]() {
+      TimerOutput::Scope timer(timer_, "Set up");
+      return PlateTestStage(
+        *cell_, parameters_, index, start, woven_, system_, &timer_);
+    }();
+    state_ = problem.start();
+
+    // Newton: bundles + contact; a step that fails is cut.
+    LoadStepper stepper(parameters_.newton,
+                        parameters_.contact,
+                        system_,
+                        linear_solver_,
+                        log_,
+                        &timer_);
+    stepper.run(problem,
+                problem.start(),
+                steps,
+                stage.name,
+                LoadStepper::Predictor::extrapolation,
+                [&](const AcceptedStep &step) {
+                  visitor(step);
+                  if (state_.load_factor == 1.)
+                    results_.report_supports(
+                      index,
+                      problem.support_forces(step.increment, step.trial));
+                });
+  }
+
+
+
+  /*
+   * What the coarser test has done in its steps counts as the work of weaving:
+   * the difference to the energy here is that of the meshes.
+   */
+  bool
+  NumericalPlateTesting::weave_from_coarser_mesh()
+  {
+    const auto coarser = coarser_weaving(parameters_, *cell_);
+    if (!coarser)
+      return false;
+    const LoadStage &stage    = parameters_.load_programme.stages.front();
+    const State      straight = state_;
+    std::ostream     nowhere(nullptr);
+    std::string      mesh;
+    for (const unsigned int n : {coarser->mesh.elements_along,
+                                 coarser->mesh.elements_across,
+                                 coarser->mesh.elements_through})
+      mesh += (mesh.empty() ? "" : " x ") + std::to_string(n);
+    try
+      {
+        State        start;
+        unsigned int n_steps = 0;
+        {
+          TimerOutput::Scope    timer(timer_, "Coarser mesh");
+          NumericalPlateTesting test(*coarser, "", nowhere, ranks_);
+          test.run();
+          start   = carry_over(test.cell(), test.state(), *cell_);
+          n_steps = test.curve().size();
+        }
+        log_.line("Woven on " + mesh + " elements first, in " +
+                  std::to_string(n_steps) +
+                  (n_steps == 1 ? " step" : " steps") +
+                  "; that state is the start on the mesh of this run.");
+        StepParameters one_step;
+        one_step.initial_step = one_step.minimum_step = one_step.maximum_step =
+          1.;
+        run_steps(0, start, one_step, [&](const AcceptedStep &step) {
+          State woven         = step.after;
+          woven.energies.work = start.energies.work;
+          accept_step(stage,
+                      {straight,
+                       woven,
+                       step.increment,
+                       step.trial,
+                       step.report,
+                       step.n_cuts});
+        });
+      }
+    catch (const StageFailed &failure)
+      {
+        if (failure.reason() == "interrupted")
+          throw;
+        log_.line("Weaving on " + mesh +
+                  " elements first does not serve: " + failure.account());
+        state_ = straight;
+      }
+    return state_.load_factor == 1.;
   }
 
 

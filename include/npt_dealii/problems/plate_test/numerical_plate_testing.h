@@ -8,6 +8,7 @@
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/linear_algebra/constrained_system.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
+#include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/plate_test/contact_checks.h>
 #include <npt_dealii/problems/plate_test/plate_cell.h>
 #include <npt_dealii/problems/plate_test/plate_test_results.h>
@@ -99,6 +100,16 @@ namespace NPT
     make_cell();
     void
     run_stage(const unsigned int index);
+    /// The load steps of a stage, from a state on.
+    void
+    run_steps(const unsigned int          index,
+              const State                &start,
+              const StepParameters       &steps,
+              const LoadStepper::Visitor &visitor);
+    /// The weave stage in one step from the woven state of a coarser mesh;
+    /// false if that is not wanted or does not serve.
+    bool
+    weave_from_coarser_mesh();
     void
     accept_step(const LoadStage &stage, const AcceptedStep &step);
     void
