@@ -2,7 +2,6 @@
 // Defines the set-up and assembly of deformable bodies.
 
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/iga/iga_values.h>
 #include <npt_dealii/solid/deformable_bodies.h>
 
 #include <algorithm>
@@ -33,43 +32,41 @@ namespace NPT
       }
     space_ = std::make_unique<IGASpace<3>>(patches, bodies, basis);
 
-    // Total Lagrangian: gradients in the reference configuration are computed
-    // once for all.
-    IGAValues<3> values(*space_, n_gauss_points);
+    gradients_ = std::make_unique<GradientsOfCells>(*space_, n_gauss_points);
     for (const auto &span : space_->triangulation().active_cell_iterators())
       {
-        values.reinit(span);
-        CellGradients cell;
-        cell.n_functions = values.dofs_per_cell();
-        cell.n_points    = values.n_quadrature_points();
-        dealii::Point<3> center;
-        double           volume = 0;
-        for (unsigned int q = 0; q < cell.n_points; ++q)
-          {
-            cell.jxw.push_back(values.JxW(q));
-            for (unsigned int A = 0; A < cell.n_functions; ++A)
-              cell.values.push_back(values.shape_value(A, q));
-            for (unsigned int J = 0; J < 3; ++J)
-              for (unsigned int A = 0; A < cell.n_functions; ++A)
-                cell.gradients.push_back(values.shape_grad(A, q)[J]);
-            center += values.quadrature_point(q) * values.JxW(q);
-            volume += values.JxW(q);
-          }
-
+        const unsigned int        c = span->active_cell_index();
         std::vector<unsigned int> unknowns;
         for (unsigned int i = 0; i < 3; ++i)
-          for (const unsigned int A : values.control_points())
+          for (const unsigned int A : space_->control_points_of_cell(c))
             unknowns.push_back(3 * A + i);
         cell_unknowns_.push_back(unknowns);
         symmetry_weight_.push_back(
-          symmetry_weight ? symmetry_weight(span->material_id(),
-                                            dealii::Point<3>(center / volume)) :
+          symmetry_weight ? symmetry_weight(span->material_id(), center(c)) :
                             1);
-        gradients_.push_back(std::move(cell));
       }
     if (!ranks_.is_alone())
       space_->partition(ranks_.n(), symmetry_weight_);
     look_at_rest();
+  }
+
+
+
+  dealii::Point<3>
+  DeformableBodies::center(const unsigned int cell) const
+  {
+    const CellGradients &gradients = (*gradients_)[cell];
+    dealii::Point<3>     sum;
+    double               volume = 0;
+    for (unsigned int q = 0; q < gradients.n_points; ++q)
+      {
+        const double *values = &gradients.values[q * gradients.n_functions];
+        for (unsigned int a = 0; a < gradients.n_functions; ++a)
+          sum += gradients.jxw[q] * values[a] *
+                 space_->control_points()[cell_unknowns_[cell][a] / 3];
+        volume += gradients.jxw[q];
+      }
+    return dealii::Point<3>(sum / volume);
   }
 
 
@@ -94,8 +91,8 @@ namespace NPT
         shear_moduli_.push_back(std::min(C(3, 3), std::min(C(4, 4), C(5, 5))));
         stiffest = std::max(stiffest, C.linfty_norm());
       }
-    for (const CellGradients &cell : gradients_)
-      for (const double jxw : cell.jxw)
+    for (unsigned int c = 0; c < gradients_->size(); ++c)
+      for (const double jxw : (*gradients_)[c].jxw)
         volume += jxw;
     force_unit_ = stiffest * std::pow(volume, 2. / 3.);
   }
@@ -117,7 +114,8 @@ namespace NPT
   DeformableBodies::CellGroups
   DeformableBodies::add_groups(ConstrainedSystem &system) const
   {
-    CellGroups groups(gradients_.size(), dealii::numbers::invalid_unsigned_int);
+    CellGroups groups(gradients_->size(),
+                      dealii::numbers::invalid_unsigned_int);
     for (const auto &span : space_->triangulation().active_cell_iterators())
       if (const unsigned int c = span->active_cell_index(); is_mine(span))
         groups[c] = system.add_group(cell_unknowns_[c]);
@@ -155,7 +153,7 @@ namespace NPT
         try
           {
             kernel.evaluate(
-              *laws_[span->material_id()], gradients_[c], w, f, nullptr);
+              *laws_[span->material_id()], (*gradients_)[c], w, f, nullptr);
           }
         catch (const InvertedCell &)
           {
@@ -181,7 +179,7 @@ namespace NPT
                                 const CellGroups     &groups,
                                 ConstrainedSystem    &system) const
   {
-    AssertDimension(groups.size(), gradients_.size());
+    AssertDimension(groups.size(), gradients_->size());
     SolidKernel         kernel;
     std::vector<double> w, f, K;
     unsigned int        inverted = dealii::numbers::invalid_unsigned_int;
@@ -194,7 +192,7 @@ namespace NPT
         try
           {
             kernel.evaluate(
-              *laws_[span->material_id()], gradients_[c], w, f, &K);
+              *laws_[span->material_id()], (*gradients_)[c], w, f, &K);
           }
         catch (const InvertedCell &)
           {
@@ -218,9 +216,10 @@ namespace NPT
           symmetry_weight_[c] > 0)
         {
           cell_displacement(c, u, w);
-          sum +=
-            symmetry_weight_[c] *
-            SolidKernel::energy(*laws_[span->material_id()], gradients_[c], w);
+          sum += symmetry_weight_[c] *
+                 SolidKernel::energy(*laws_[span->material_id()],
+                                     (*gradients_)[c],
+                                     w);
         }
     return sum;
   }
@@ -233,14 +232,14 @@ namespace NPT
   {
     std::vector<double> w;
     double              F[9];
-    for (unsigned int c = 0; c < gradients_.size(); ++c)
+    for (unsigned int c = 0; c < gradients_->size(); ++c)
       {
         if (symmetry_weight_[c] == 0)
           continue;
         cell_displacement(c, u, w);
-        for (unsigned int q = 0; q < gradients_[c].n_points; ++q)
+        for (unsigned int q = 0; q < (*gradients_)[c].n_points; ++q)
           {
-            SolidKernel::deformation_gradient(gradients_[c], w, q, F);
+            SolidKernel::deformation_gradient((*gradients_)[c], w, q, F);
             visit(c, q, F);
           }
       }
@@ -260,7 +259,7 @@ namespace NPT
         laws_[space_->cells()[c].patch]->stress(F, P);
         point.cell = c;
         point.q    = q;
-        point.dV   = symmetry_weight_[c] * gradients_[c].jxw[q];
+        point.dV   = symmetry_weight_[c] * (*gradients_)[c].jxw[q];
         for (unsigned int e = 0; e < 9; ++e)
           {
             point.F[e / 3][e % 3] = F[e];
@@ -296,7 +295,7 @@ namespace NPT
           }
       });
     const auto           A         = space_->control_points_of_cell(cell);
-    const CellGradients &gradients = gradients_[cell];
+    const CellGradients &gradients = (*gradients_)[cell];
     for (unsigned int a = 0; a < gradients.n_functions; ++a)
       result.position += gradients.values[q * gradients.n_functions + a] *
                          space_->control_points()[A[a]];
@@ -348,7 +347,7 @@ namespace NPT
   DeformableBodies::interpolate(const MaterialPoint       &point,
                                 const std::vector<double> &coefficients) const
   {
-    const CellGradients &cell = gradients_[point.cell];
+    const CellGradients &cell = (*gradients_)[point.cell];
     double               sum  = 0;
     // The first third of the unknowns, those of component 0, are 3 A.
     for (unsigned int a = 0; a < cell.n_functions; ++a)
@@ -366,7 +365,7 @@ namespace NPT
     for (const auto &span : space_->triangulation().active_cell_iterators())
       {
         const unsigned int   c    = span->active_cell_index();
-        const CellGradients &cell = gradients_[c];
+        const CellGradients &cell = (*gradients_)[c];
         const double factor = by_symmetry_weight ? symmetry_weight_[c] : 1.;
         for (unsigned int q = 0; q < cell.n_points; ++q)
           for (unsigned int a = 0; a < cell.n_functions; ++a)

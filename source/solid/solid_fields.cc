@@ -91,7 +91,7 @@ namespace NPT
   states_at_control_points(
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
-    const std::vector<CellGradients>                       &gradients,
+    const GradientsOfCells                                 &gradients,
     const Vector<double>                                   &u)
   {
     std::vector<StateSum> sums(space.n_control_points());
@@ -131,7 +131,7 @@ namespace NPT
   make_bundle_fields(
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
-    const std::vector<CellGradients>                       &gradients,
+    const GradientsOfCells                                 &gradients,
     const Vector<double>                                   &u)
   {
     const auto states = states_at_control_points(space, laws, gradients, u);

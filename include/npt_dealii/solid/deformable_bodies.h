@@ -10,6 +10,7 @@
 #include <npt_dealii/linear_algebra/constrained_system.h>
 #include <npt_dealii/material/ellipticity.h>
 #include <npt_dealii/material/hyperelastic_law.h>
+#include <npt_dealii/solid/cell_gradients.h>
 #include <npt_dealii/solid/solid_kernel.h>
 
 #include <deal.II/base/tensor.h>
@@ -88,10 +89,10 @@ namespace NPT
       return laws_;
     }
     /// By cell.
-    const std::vector<CellGradients> &
+    const GradientsOfCells &
     gradients() const
     {
-      return gradients_;
+      return *gradients_;
     }
     unsigned int
     symmetry_weight(const unsigned int cell) const
@@ -223,6 +224,9 @@ namespace NPT
   private:
     void
     look_at_rest();
+    // Of volume, in the reference configuration.
+    dealii::Point<3>
+    center(const unsigned int cell) const;
     using PointVisitor = std::function<
       void(const unsigned int cell, const unsigned int q, const double *F)>;
     void
@@ -243,7 +247,7 @@ namespace NPT
     std::unique_ptr<IGASpace<3>>                     space_;
     std::vector<std::unique_ptr<HyperelasticLaw<3>>> laws_;  // by patch
     std::vector<std::string>                         names_; // by patch
-    std::vector<CellGradients>                       gradients_;
+    std::unique_ptr<GradientsOfCells>                gradients_;
     std::vector<unsigned int>                        symmetry_weight_;
     std::vector<std::vector<unsigned int>>           cell_unknowns_;
     std::vector<double> shear_moduli_; // smallest at rest, by patch

@@ -7,6 +7,7 @@
 #include <npt_dealii/iga/iga_space.h>
 #include <npt_dealii/io/vtu_file.h>
 #include <npt_dealii/material/hyperelastic_law.h>
+#include <npt_dealii/solid/cell_gradients.h>
 #include <npt_dealii/solid/solid_kernel.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -54,7 +55,7 @@ namespace NPT
   states_at_control_points(
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
-    const std::vector<CellGradients>                       &gradients,
+    const GradientsOfCells                                 &gradients,
     const dealii::Vector<double>                           &u);
 
   /**
@@ -68,7 +69,7 @@ namespace NPT
   make_bundle_fields(
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
-    const std::vector<CellGradients>                       &gradients,
+    const GradientsOfCells                                 &gradients,
     const dealii::Vector<double>                           &u);
 } // namespace NPT
 
