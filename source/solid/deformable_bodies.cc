@@ -40,8 +40,7 @@ namespace NPT
       {
         values.reinit(span);
         CellGradients cell;
-        cell.n_functions = values.dofs_per_cell();
-        cell.n_points    = values.n_quadrature_points();
+        cell.reinit(values.dofs_per_cell(), values.n_quadrature_points());
         dealii::Point<3> center;
         double           volume = 0;
         for (unsigned int q = 0; q < cell.n_points; ++q)
@@ -51,7 +50,8 @@ namespace NPT
               cell.values.push_back(values.shape_value(A, q));
             for (unsigned int J = 0; J < 3; ++J)
               for (unsigned int A = 0; A < cell.n_functions; ++A)
-                cell.gradients.push_back(values.shape_grad(A, q)[J]);
+                cell.gradients[(3 * q + J) * cell.stride + A] =
+                  values.shape_grad(A, q)[J];
             center += values.quadrature_point(q) * values.JxW(q);
             volume += values.JxW(q);
           }
@@ -211,6 +211,7 @@ namespace NPT
   double
   DeformableBodies::stored_energy(const Vector<double> &u) const
   {
+    SolidKernel         kernel;
     double              sum = 0;
     std::vector<double> w;
     for (const auto &span : space_->triangulation().active_cell_iterators())
@@ -218,9 +219,8 @@ namespace NPT
           symmetry_weight_[c] > 0)
         {
           cell_displacement(c, u, w);
-          sum +=
-            symmetry_weight_[c] *
-            SolidKernel::energy(*laws_[span->material_id()], gradients_[c], w);
+          sum += symmetry_weight_[c] *
+                 kernel.energy(*laws_[span->material_id()], gradients_[c], w);
         }
     return sum;
   }
@@ -231,18 +231,16 @@ namespace NPT
   DeformableBodies::for_each_gradient(const Vector<double> &u,
                                       const PointVisitor   &visit) const
   {
+    SolidKernel         kernel;
     std::vector<double> w;
-    double              F[9];
     for (unsigned int c = 0; c < gradients_.size(); ++c)
       {
         if (symmetry_weight_[c] == 0)
           continue;
         cell_displacement(c, u, w);
+        const double *F = kernel.deformation_gradients(gradients_[c], w);
         for (unsigned int q = 0; q < gradients_[c].n_points; ++q)
-          {
-            SolidKernel::deformation_gradient(gradients_[c], w, q, F);
-            visit(c, q, F);
-          }
+          visit(c, q, F + 9 * q);
       }
   }
 
