@@ -93,6 +93,21 @@ namespace NPT
 
 
 
+  std::vector<double>
+  Ranks::of_lowest(const std::vector<double> &numbers) const
+  {
+    if (is_alone())
+      return numbers;
+    const auto all = dealii::Utilities::MPI::all_gather(communicator_, numbers);
+    unsigned int lowest = 0;
+    for (unsigned int p = 1; p < all.size(); ++p)
+      if (all[p][0] < all[lowest][0])
+        lowest = p;
+    return all[lowest];
+  }
+
+
+
   void
   Ranks::broadcast(dealii::Vector<double> &x) const
   {

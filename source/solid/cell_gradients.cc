@@ -64,11 +64,9 @@ namespace NPT
                             CellGradients     &gradients) const
   {
     values_->reinit(cells_[cell]);
-    gradients.n_functions = values_->dofs_per_cell();
-    gradients.n_points    = values_->n_quadrature_points();
+    gradients.reinit(values_->dofs_per_cell(), values_->n_quadrature_points());
     gradients.jxw.clear();
     gradients.values.clear();
-    gradients.gradients.clear();
     for (unsigned int q = 0; q < gradients.n_points; ++q)
       {
         gradients.jxw.push_back(values_->JxW(q));
@@ -76,7 +74,8 @@ namespace NPT
           gradients.values.push_back(values_->shape_value(A, q));
         for (unsigned int J = 0; J < 3; ++J)
           for (unsigned int A = 0; A < gradients.n_functions; ++A)
-            gradients.gradients.push_back(values_->shape_grad(A, q)[J]);
+            gradients.gradients[(3 * q + J) * gradients.stride + A] =
+              values_->shape_grad(A, q)[J];
       }
   }
 } // namespace NPT

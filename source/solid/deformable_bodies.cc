@@ -209,19 +209,19 @@ namespace NPT
   double
   DeformableBodies::stored_energy(const Vector<double> &u) const
   {
+    SolidKernel         kernel;
     double              sum = 0;
     std::vector<double> w;
     for (const auto &span : space_->triangulation().active_cell_iterators())
-      if (const unsigned int c = span->active_cell_index();
-          symmetry_weight_[c] > 0)
+      if (is_mine(span))
         {
+          const unsigned int c = span->active_cell_index();
           cell_displacement(c, u, w);
-          sum += symmetry_weight_[c] *
-                 SolidKernel::energy(*laws_[span->material_id()],
-                                     (*gradients_)[c],
-                                     w);
+          sum +=
+            symmetry_weight_[c] *
+            kernel.energy(*laws_[span->material_id()], (*gradients_)[c], w);
         }
-    return sum;
+    return ranks_.sum(sum);
   }
 
 
@@ -230,18 +230,17 @@ namespace NPT
   DeformableBodies::for_each_gradient(const Vector<double> &u,
                                       const PointVisitor   &visit) const
   {
+    SolidKernel         kernel;
     std::vector<double> w;
-    double              F[9];
-    for (unsigned int c = 0; c < gradients_->size(); ++c)
+    for (const auto &span : space_->triangulation().active_cell_iterators())
       {
-        if (symmetry_weight_[c] == 0)
+        if (!is_mine(span))
           continue;
+        const unsigned int c = span->active_cell_index();
         cell_displacement(c, u, w);
+        const double *F = kernel.deformation_gradients((*gradients_)[c], w);
         for (unsigned int q = 0; q < (*gradients_)[c].n_points; ++q)
-          {
-            SolidKernel::deformation_gradient((*gradients_)[c], w, q, F);
-            visit(c, q, F);
-          }
+          visit(c, q, F + 9 * q);
       }
   }
 
@@ -299,6 +298,25 @@ namespace NPT
     for (unsigned int a = 0; a < gradients.n_functions; ++a)
       result.position += gradients.values[q * gradients.n_functions + a] *
                          space_->control_points()[A[a]];
+    if (ranks_.is_alone())
+      return result;
+
+    std::vector<double> numbers = {result.lowest.value,
+                                   static_cast<double>(result.patch)};
+    for (unsigned int i = 0; i < 3; ++i)
+      for (const double x : {result.lowest.normal[i],
+                             result.lowest.polarization[i],
+                             result.position[i]})
+        numbers.push_back(x);
+    numbers             = ranks_.of_lowest(numbers);
+    result.lowest.value = numbers[0];
+    result.patch        = static_cast<unsigned int>(numbers[1]);
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        result.lowest.normal[i]       = numbers[2 + 3 * i];
+        result.lowest.polarization[i] = numbers[3 + 3 * i];
+        result.position[i]            = numbers[4 + 3 * i];
+      }
     return result;
   }
 

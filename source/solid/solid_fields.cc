@@ -95,6 +95,7 @@ namespace NPT
     const Vector<double>                                   &u)
   {
     std::vector<StateSum> sums(space.n_control_points());
+    SolidKernel           kernel;
     std::vector<double>   w;
     for (const auto &span : space.triangulation().active_cell_iterators())
       {
@@ -105,11 +106,10 @@ namespace NPT
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int a = 0; a < A.size(); ++a)
             w[i * A.size() + a] = u[3 * A[a] + i];
-        for (unsigned int q = 0; q < cell.n_points; ++q)
+        const double *raw = kernel.deformation_gradients(cell, w);
+        for (unsigned int q = 0; q < cell.n_points; ++q, raw += 9)
           {
             Tensor<2, 3> F;
-            double       raw[9];
-            SolidKernel::deformation_gradient(cell, w, q, raw);
             for (unsigned int k = 0; k < 9; ++k)
               F[k / 3][k % 3] = raw[k];
             const PointState state = point_state(*laws[span->material_id()], F);

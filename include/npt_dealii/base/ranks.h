@@ -9,6 +9,7 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace NPT
 {
@@ -74,6 +75,10 @@ namespace NPT
     /// Whether one of them says so.
     bool
     any(const bool yes) const;
+    /// What the process has whose first number is the lowest; of several with
+    /// the same one, the first of them.
+    std::vector<double>
+    of_lowest(const std::vector<double> &numbers) const;
     /// What the first one has.
     void
     broadcast(dealii::Vector<double> &x) const;

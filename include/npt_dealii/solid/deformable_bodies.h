@@ -179,8 +179,9 @@ namespace NPT
       dealii::Tensor<2, 3> P; ///< [MPa]
     };
 
-    /// Visit the quadrature points of all cells with m_c > 0, in order, at the
-    /// state u. Volume averages are sums over these points.
+    /// Visit the quadrature points of this process's cells with m_c > 0, in
+    /// order, at the state u. Volume averages are sums over these points, and
+    /// over the processes.
     void
     for_each_point(
       const dealii::Vector<double>                     &u,

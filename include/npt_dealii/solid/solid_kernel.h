@@ -17,11 +17,19 @@ namespace NPT
    */
   struct CellGradients
   {
+    /// Functions that the kernel treats at once.
+    static constexpr unsigned int n_lanes = 4;
+
     unsigned int        n_functions = 0;
     unsigned int        n_points    = 0;
-    std::vector<double> gradients; ///< [point][J][function], 1/mm
-    std::vector<double> values;    ///< [point][function]
-    std::vector<double> jxw;       ///< reference volume of the points, mm^3
+    unsigned int        stride      = 0; ///< n_functions and filling
+    std::vector<double> gradients;       ///< [point][J][function or zero], 1/mm
+    std::vector<double> values;          ///< [point][function]
+    std::vector<double> jxw; ///< reference volume of the points, mm^3
+
+    /// Set the sizes, and the gradients to zero.
+    void
+    reinit(const unsigned int n_functions, const unsigned int n_points);
   };
 
   /**
@@ -31,9 +39,10 @@ namespace NPT
    *     K_{iA,kB} = \int N_{A,J} A_{iJkL} N_{B,L} \, dV . @f]
    *
    * Local unknowns are ordered by component: position i * n_functions + A.
-   * The stiffness is computed for i <= k and mirrored (it is symmetric for a
-   * hyperelastic law). The loops run over contiguous functions and are
-   * compiled for several vector widths; the right one is taken at run time.
+   * The stiffness is computed on and above the diagonal and mirrored (it is
+   * symmetric for a hyperelastic law). The loops run over contiguous functions
+   * and are compiled for several processors; the right version is taken at run
+   * time.
    */
   class SolidKernel
   {
@@ -53,20 +62,20 @@ namespace NPT
              std::vector<double>       *stiffness);
 
     /// Stored energy of the cell.
-    static double
+    double
     energy(const HyperelasticLaw<3>  &law,
            const CellGradients       &cell,
            const std::vector<double> &displacement);
 
-    /// F at point q, row major.
-    static void
-    deformation_gradient(const CellGradients       &cell,
-                         const std::vector<double> &displacement,
-                         const unsigned int         q,
-                         double                    *F);
+    /// F at all points of the cell, each row major; valid until the next call.
+    const double *
+    deformation_gradients(const CellGradients       &cell,
+                          const std::vector<double> &displacement);
 
   private:
-    std::vector<double> scratch_, tangents_;
+    std::vector<double> padded_; // a vector of the cell in the stride
+    std::vector<double> deformation_gradients_, stresses_, tangents_;
+    std::vector<double> scratch_;
   };
 } // namespace NPT
 

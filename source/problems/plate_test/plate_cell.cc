@@ -129,6 +129,10 @@ namespace NPT
       sum.N += point.P * point.dV;
       sum.M += bodies_.interpolate(point, Z3) * point.P * point.dV;
     });
+    for (dealii::Tensor<2, 3> *average : {&sum.N, &sum.M})
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          (*average)[i][j] = bodies_.ranks().sum((*average)[i][j]);
     return complete_by_symmetry(fabric_, sum);
   }
 } // namespace NPT
