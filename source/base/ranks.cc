@@ -11,7 +11,15 @@ namespace NPT
     : communicator_(communicator)
     , n_(dealii::Utilities::MPI::n_mpi_processes(communicator))
     , rank_(dealii::Utilities::MPI::this_mpi_process(communicator))
-  {}
+  {
+    if (is_alone())
+      return;
+    MPI_Comm machine;
+    MPI_Comm_split_type(
+      communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+    n_on_machine_ = dealii::Utilities::MPI::n_mpi_processes(machine);
+    MPI_Comm_free(&machine);
+  }
 
 
 

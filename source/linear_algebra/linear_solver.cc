@@ -100,7 +100,8 @@ namespace NPT
   enum_names<LinearSolverParameters::Type>()
   {
     using Type                         = LinearSolverParameters::Type;
-    static const EnumNames<Type> names = {{Type::MUMPS, "MUMPS"},
+    static const EnumNames<Type> names = {{Type::automatic, "automatic"},
+                                          {Type::MUMPS, "MUMPS"},
                                           {Type::UMFPACK, "UMFPACK"},
                                           {Type::ILU, "ILU"},
                                           {Type::ML, "ML"}};
@@ -118,7 +119,8 @@ namespace NPT
       prm,
       "Type",
       type,
-      "Direct: MUMPS, UMFPACK. Iterative: GMRES with an incomplete "
+      "automatic: MUMPS, or ILU if the factors of MUMPS do not fit in the "
+      "memory. Direct: MUMPS, UMFPACK. Iterative: GMRES with an incomplete "
       "factorization (ILU) or smoothed aggregation (ML); of the two ILU is "
       "the better one with contact.");
     add_parameter(prm,
@@ -133,6 +135,14 @@ namespace NPT
                   "ILU, ML: GMRES iterations after which the load step "
                   "counts as failed [-].",
                   Patterns::Integer(1, 100000));
+    add_parameter(prm,
+                  "Maximum memory",
+                  maximum_memory,
+                  "Memory that MUMPS may take for its factors on one machine "
+                  "[GB]. It is compared before it is taken; if more is needed, "
+                  "automatic goes on with ILU, and MUMPS ends the run. 0: what "
+                  "is available at that time.",
+                  Patterns::Double(0));
   }
 
 
@@ -140,7 +150,7 @@ namespace NPT
   void
   LinearSolverParameters::check(const Ranks &ranks) const
   {
-    if (!ranks.is_alone() && type != Type::MUMPS)
+    if (!ranks.is_alone() && type != Type::MUMPS && type != Type::automatic)
       throw InputError("Type = " + name_of(type) +
                        " solves on one process, but this run has " +
                        std::to_string(ranks.n()) +
@@ -152,14 +162,28 @@ namespace NPT
   LinearSolver::LinearSolver(const LinearSolverParameters &given,
                              const Ranks                  &given_ranks)
     : parameters(given)
+    , chosen_by_program(given.type == LinearSolverParameters::Type::automatic)
     , ranks(given_ranks)
   {
-    using Type = LinearSolverParameters::Type;
     parameters.check(ranks);
-    switch (parameters.type)
+    set_type(chosen_by_program ? LinearSolverParameters::Type::MUMPS :
+                                 parameters.type);
+  }
+
+
+
+  void
+  LinearSolver::set_type(const LinearSolverParameters::Type type)
+  {
+    using Type      = LinearSolverParameters::Type;
+    parameters.type = type;
+    switch (type)
       {
+        case Type::automatic:
+          Assert(false, dealii::ExcInternalError());
+          break;
         case Type::MUMPS:
-          backend = make_mumps_backend(ranks);
+          backend = make_mumps_backend(parameters, ranks);
           break;
         case Type::UMFPACK:
           backend = make_umfpack_backend();
@@ -172,6 +196,7 @@ namespace NPT
           break;
       }
     AssertThrow(backend, dealii::ExcInternalError());
+    pattern_id = 0;
   }
 
 
@@ -186,16 +211,19 @@ namespace NPT
     const double start = now();
     usable             = false;
     n_unknowns         = A.n();
-    if (A.pattern_id() != pattern_id)
+    try
       {
-        // Stays zero if the set-up throws, so that it is not taken for done.
-        pattern_id = 0;
-        backend->symbolic(A);
-        ++n_symbolic_;
-        pattern_id = A.pattern_id();
+        factorize_anew(A);
       }
-    backend->numeric(A);
-    ++n_numeric_;
+    catch (const OutOfMemory &failure)
+      {
+        if (!chosen_by_program || !ranks.is_alone() ||
+            parameters.type == LinearSolverParameters::Type::ILU)
+          throw;
+        reason = failure.what();
+        set_type(LinearSolverParameters::Type::ILU);
+        factorize_anew(A);
+      }
     if (backend->is_direct)
       {
         const auto [factor, unknown] = amplification(A, ranks, *backend);
@@ -212,6 +240,39 @@ namespace NPT
       }
     usable = true;
     seconds_factorize_ += now() - start;
+  }
+
+
+
+  void
+  LinearSolver::factorize_anew(const CSRMatrix &A)
+  {
+    if (A.pattern_id() != pattern_id)
+      {
+        // Stays zero if the set-up throws, so that it is not taken for done.
+        pattern_id = 0;
+        backend->symbolic(A);
+        ++n_symbolic_;
+        pattern_id = A.pattern_id();
+      }
+    backend->numeric(A);
+    ++n_numeric_;
+  }
+
+
+
+  std::string
+  LinearSolver::description() const
+  {
+    std::ostringstream text;
+    text.precision(2);
+    text << name_of(parameters.type);
+    if (backend->gigabytes() > 0)
+      text << ", factors of " << backend->gigabytes() << " GB";
+    if (chosen_by_program)
+      text << (reason.empty() ? " (automatic: they fit in the memory)" :
+                                " (automatic: " + reason + ")");
+    return text.str();
   }
 
 

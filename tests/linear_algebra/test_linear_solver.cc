@@ -268,3 +268,33 @@ TEST_CASE("Linear solver parameters are read from their subsection", "[solver]")
   CHECK(parameters.max_iterations == 500);
   CHECK_THROWS_AS(type("KLU"), InputError);
 }
+
+
+
+TEST_CASE("The program takes ILU where the factors of MUMPS do not fit, and "
+          "says so",
+          "[solver]")
+{
+  const auto [A, modes]  = make_elastic_block({{6, 5, 2}}, 1, 1., 0.3);
+  const Vector<double> b = some_vector(A.n());
+  Vector<double>       x;
+
+  LinearSolver free_choice(type("automatic"));
+  free_choice.factorize(A);
+  CHECK_THAT(free_choice.description(),
+             Catch::Contains("MUMPS") && Catch::Contains("they fit"));
+
+  LinearSolverParameters little_memory = type("automatic");
+  little_memory.maximum_memory         = 1e-6;
+  LinearSolver solver(little_memory);
+  solver.factorize(A);
+  solver.solve(b, x);
+  CHECK_THAT(solver.description(),
+             Catch::Contains("ILU") && Catch::Contains("1e-06 GB are allowed"));
+  CHECK(relative_residual(A, x, b) <= 1e-10);
+
+  // What the user chose is not replaced.
+  little_memory.type = LinearSolverParameters::Type::MUMPS;
+  LinearSolver mumps(little_memory);
+  CHECK_THROWS_WITH(mumps.factorize(A), Catch::Contains("GB are allowed"));
+}

@@ -38,6 +38,12 @@ namespace NPT
     {
       return n_;
     }
+    /// How many of them share the memory of this machine.
+    unsigned int
+    n_on_machine() const
+    {
+      return n_on_machine_;
+    }
     unsigned int
     rank() const
     {
@@ -89,6 +95,7 @@ namespace NPT
     MPI_Comm     communicator_ = MPI_COMM_SELF;
     unsigned int n_            = 1;
     unsigned int rank_         = 0;
+    unsigned int n_on_machine_ = 1;
   };
 } // namespace NPT
 

@@ -33,6 +33,13 @@ namespace NPT
     virtual void
     vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const = 0;
 
+    /// Memory of the factors on all processes [GB]; 0 if not known.
+    virtual double
+    gigabytes() const
+    {
+      return 0;
+    }
+
     bool         is_direct    = true;
     unsigned int n_iterations = 0; ///< of the last solve()
     std::vector<dealii::Vector<double>> near_null_space;
@@ -40,7 +47,8 @@ namespace NPT
   };
 
   std::unique_ptr<LinearSolver::Backend>
-  make_mumps_backend(const Ranks &ranks);
+  make_mumps_backend(const LinearSolverParameters &parameters,
+                     const Ranks                  &ranks);
   std::unique_ptr<LinearSolver::Backend>
   make_umfpack_backend();
   /// GMRES with an incomplete factorization.

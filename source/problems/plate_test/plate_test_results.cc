@@ -400,6 +400,7 @@ namespace NPT
         if (!warning.empty())
           log_.warning(warning);
       }
+    log_.line("Linear solver: " + linear_solver.description());
     log_.line("Factorizations: " + std::to_string(linear_solver.n_numeric()) +
               " (" + std::to_string(linear_solver.n_symbolic()) +
               " new patterns), " + std::to_string(system.n_free()) +
