@@ -29,6 +29,11 @@ function row(    load, key)
     end[load, key] = cell[load == "shear" ? "n3" : "n4"] - before[load, key]
 }
 
+function seconds(t)
+{
+  return t >= 100 ? fixed(t, 0) : digits(t, 2)
+}
+
 function ending(load, key, n)
 {
   if (!((load, key) in done))
@@ -51,6 +56,6 @@ function finish(    k, key, name)
       (key in relaxed ? relaxed[key] : " | ") " | " \
       ending("shear", key, 4) " | " ending("bend", key, 3) " | " \
       cuts["shear", key] ", " cuts["bend", key] " | " \
-      digits(cpu["shear", key], 2) ", " digits(cpu["bend", key], 2) " |"
+      seconds(cpu["shear", key]) ", " seconds(cpu["bend", key]) " |"
   }
 }
