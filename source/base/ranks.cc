@@ -8,10 +8,13 @@
 namespace NPT
 {
   Ranks::Ranks(const MPI_Comm communicator)
-    : communicator_(communicator)
-    , n_(dealii::Utilities::MPI::n_mpi_processes(communicator))
-    , rank_(dealii::Utilities::MPI::this_mpi_process(communicator))
-  {}
+  {
+    if (!dealii::Utilities::MPI::job_supports_mpi())
+      return;
+    communicator_ = communicator;
+    n_            = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    rank_         = dealii::Utilities::MPI::this_mpi_process(communicator);
+  }
 
 
 
@@ -19,17 +22,16 @@ namespace NPT
   {
     // MPI_Allreduce may add in another order on each process.
     void
-    reduce(double         *x,
-           const int       size,
-           const MPI_Op    operation,
-           const bool      is_first,
-           const MPI_Comm &communicator)
+    sum_of_first(double         *x,
+                 const int       size,
+                 const bool      is_first,
+                 const MPI_Comm &communicator)
     {
       MPI_Reduce(is_first ? MPI_IN_PLACE : x,
                  x,
                  size,
                  MPI_DOUBLE,
-                 operation,
+                 MPI_SUM,
                  0,
                  communicator);
       MPI_Bcast(x, size, MPI_DOUBLE, 0, communicator);
@@ -42,7 +44,7 @@ namespace NPT
   Ranks::sum(dealii::Vector<double> &x) const
   {
     if (!is_alone())
-      reduce(x.begin(), x.size(), MPI_SUM, is_first(), communicator_);
+      sum_of_first(x.begin(), x.size(), is_first(), communicator_);
   }
 
 
@@ -52,18 +54,7 @@ namespace NPT
   {
     double result = x;
     if (!is_alone())
-      reduce(&result, 1, MPI_SUM, is_first(), communicator_);
-    return result;
-  }
-
-
-
-  double
-  Ranks::max(const double x) const
-  {
-    double result = x;
-    if (!is_alone())
-      reduce(&result, 1, MPI_MAX, is_first(), communicator_);
+      sum_of_first(&result, 1, is_first(), communicator_);
     return result;
   }
 

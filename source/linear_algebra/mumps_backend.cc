@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iterator>
 
 namespace NPT
@@ -137,9 +138,12 @@ namespace NPT
           control(18) = 3;
       }
 
+      // Collective: of several processes, one that an error ends alone would
+      // wait here for the others, and say nothing.
       ~MUMPSInstance()
       {
-        call(-2);
+        if (ranks.is_alone() || std::uncaught_exceptions() == 0)
+          call(-2);
       }
 
       MUMPSInstance(const MUMPSInstance &) = delete;

@@ -25,6 +25,7 @@ namespace NPT
   {
   public:
     Ranks() = default;
+    /// This process alone if MPI is not initialized.
     explicit Ranks(const MPI_Comm communicator);
 
     MPI_Comm
@@ -64,8 +65,6 @@ namespace NPT
     sum(dealii::Vector<double> &x) const;
     double
     sum(const double x) const;
-    double
-    max(const double x) const;
     unsigned int
     min(const unsigned int x) const;
     /// Whether all of them say so.
