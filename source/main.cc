@@ -17,5 +17,5 @@ main(int argc, char **argv)
   program.default_problem = "plate test";
   program.other_program   = "verify";
   program.other_problems  = NPT::benchmark_names();
-  return NPT::run_program(program, argc, argv, NPT::select_blas_kernels);
+  return NPT::run_program(program, argc, argv, NPT::prepare_blas);
 }

@@ -24,5 +24,5 @@ Exit status: 0 done, 1 a tolerance was missed or the run ended early (results so
 far are complete), 2 the input cannot be used (nothing was computed), 3 an
 unexpected error.
 )";
-  return NPT::run_program(program, argc, argv, NPT::select_blas_kernels);
+  return NPT::run_program(program, argc, argv, NPT::prepare_blas);
 }

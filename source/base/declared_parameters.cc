@@ -6,10 +6,8 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
 
 #include <cstdlib>
-#include <sstream>
 
 namespace NPT
 {
@@ -59,24 +57,40 @@ namespace NPT
             }
         }
     }
+
+    // An archive of Boost's serialization that keeps nothing of what it is
+    // handed but looks at the tree of entries.
+    class TreeReader
+    {
+    public:
+      template <typename T>
+      TreeReader &
+      operator&(const T &)
+      {
+        return *this;
+      }
+
+      TreeReader &
+      operator&(const boost::property_tree::ptree &tree)
+      {
+        fill_section(tree, top);
+        return *this;
+      }
+
+      DeclaredSection top;
+    };
   } // namespace
 
 
 
-  // XML rather than JSON, because only there names stay mangled and the tree
-  // therefore unambiguous.
+  // ParameterHandler hands its tree to nobody but an archive. Printed as XML
+  // and read again it is the same and takes ten times as long, which was more
+  // than half of the time to read a parameter file.
   DeclaredSection
   declared_parameters(const dealii::ParameterHandler &prm)
   {
-    std::stringstream xml;
-    prm.print_parameters(xml,
-                         dealii::ParameterHandler::XML |
-                           dealii::ParameterHandler::KeepDeclarationOrder);
-    boost::property_tree::ptree tree;
-    boost::property_tree::read_xml(xml, tree);
-
-    DeclaredSection top;
-    fill_section(tree.get_child("ParameterHandler"), top);
-    return top;
+    TreeReader reader;
+    prm.save(reader, 0);
+    return reader.top;
   }
 } // namespace NPT

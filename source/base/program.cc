@@ -4,26 +4,26 @@
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/interruption.h>
-#include <npt_dealii/base/one_process.h>
+#include <npt_dealii/base/mpi_session.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/base/problem.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/base/program.h>
 
-#include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <thread>
 
 namespace NPT
 {
-  using dealii::Utilities::MPI::MPI_InitFinalize;
-
   namespace
   {
     [[noreturn]] void
@@ -68,11 +68,41 @@ namespace NPT
     }
 
     void
+    refuse_several_processes(const std::string &problem, const unsigned int n)
+    {
+      throw InputError("one " + problem +
+                       " runs in one process, but mpirun started " +
+                       std::to_string(n) +
+                       "; start it without mpirun, or make it a case of a "
+                       "parameter study, which runs its cases side by side");
+    }
+
+    // What only reads does not need MPI, which costs as much as reading. Of
+    // several processes all read, and the first one shows.
+    void
+    read_only(const std::string   &name,
+              const Problem       &problem,
+              const ParameterText &text,
+              CommandLine          command)
+    {
+      const Launcher launcher = Launcher::of_this_process();
+      if (launcher.n_processes > 1 && !problem.runs_in_parallel)
+        refuse_several_processes(name, launcher.n_processes);
+      if (launcher.rank > 0)
+        {
+          std::cout.rdbuf(nullptr);
+          if (command.action == CommandLine::Action::geometry)
+            command.action = CommandLine::Action::validate;
+        }
+      problem.start(text, command);
+    }
+
+    void
     run_problem(const Program                      &program,
                 const CommandLine                  &command,
                 char                              **argv,
                 const std::function<void(char **)> &before_computing,
-                std::unique_ptr<MPI_InitFinalize>  &mpi)
+                std::unique_ptr<MPISession>        &mpi)
     {
       // Which problem it is decides which entries there are.
       const ParameterText text = command.parameter_file.empty() ?
@@ -93,17 +123,92 @@ namespace NPT
         refuse_problem(program, name);
       const Problem &problem = Registry<Problem>::instance().get(name);
 
-      if (command.action == CommandLine::Action::run)
-        before_computing(argv);
       // Threads are not used; the linear algebra of these sizes gains nothing
       // by them.
-      int    mpi_argc = 1;
-      char **mpi_argv = argv;
-      mpi = std::make_unique<MPI_InitFinalize>(mpi_argc, mpi_argv, 1);
-      if (!problem.runs_in_parallel)
-        refuse_several_processes(name);
+      dealii::MultithreadInfo::set_thread_limit(1);
+      if (command.action != CommandLine::Action::run)
+        return read_only(name, problem, text, command);
+      before_computing(argv);
+      if (problem.needs_mpi || Launcher::of_this_process().is_present)
+        mpi = std::make_unique<MPISession>();
+      if (mpi && mpi->n_processes() > 1 && !problem.runs_in_parallel)
+        refuse_several_processes(name, mpi->n_processes());
       problem.start(text, command);
+      if (mpi)
+        mpi->meet_at_end();
     }
+
+
+
+    // How a run ends that did not come to its end: with a sentence on the
+    // screen and an exit status.
+    class Failure
+    {
+    public:
+      Failure(const Program &program, const std::unique_ptr<MPISession> &mpi)
+        : program_(program)
+        , mpi_(mpi)
+        , screen_(std::cerr.rdbuf())
+      {}
+
+      // What all processes meet at once, as the stage that was given up: they
+      // have the same numbers. The first one may be drawing yet.
+      int
+      end_together(const std::string &sentence, const int status)
+      {
+        if (is_first())
+          say(sentence);
+        if (mpi_)
+          mpi_->meet_at_end();
+        return status;
+      }
+
+      // What one process may have met alone: the others would wait for it in
+      // the next sum. Those who met the same are here soon; the first one waits
+      // less, so that it speaks for all.
+      int
+      end_all(const std::string &sentence, const int status)
+      {
+        if (is_first())
+          say(sentence);
+        if (all_end(is_first() ? 2. : 4.))
+          return status;
+        if (!is_first())
+          say(sentence);
+        if (mpi_)
+          MPI_Abort(MPI_COMM_WORLD, status);
+        return status;
+      }
+
+    private:
+      bool
+      is_first() const
+      {
+        return (mpi_ ? mpi_->rank() : Launcher::of_this_process().rank) == 0;
+      }
+
+      // Whether all processes come to their end within some seconds. Without
+      // MPI it is mpirun that ends this one, if the first one has failed.
+      bool
+      all_end(const double patience) const
+      {
+        if (mpi_)
+          return mpi_->meet_at_end(patience);
+        if (!is_first())
+          std::this_thread::sleep_for(std::chrono::duration<double>(patience));
+        return is_first();
+      }
+
+      void
+      say(const std::string &sentence)
+      {
+        screen_ << program_.name << ": " << sentence << std::endl;
+      }
+
+      const Program                     &program_;
+      const std::unique_ptr<MPISession> &mpi_;
+      std::ostream screen_; // also of those who were silenced
+    };
   } // namespace
 
 
@@ -114,21 +219,21 @@ namespace NPT
               char                              **argv,
               const std::function<void(char **)> &before_computing)
   {
-    // Outlives the exceptions: deal.II does not finish MPI while one is on its
-    // way.
-    std::unique_ptr<MPI_InitFinalize> mpi;
-    // What ends one process alone must end the others, which wait for it.
-    const auto end_all = [](const int status) {
-      int is_running = 0;
-      MPI_Initialized(&is_running);
-      if (is_running != 0 &&
-          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-        MPI_Abort(MPI_COMM_WORLD, status);
-      return status;
-    };
+    std::unique_ptr<MPISession> mpi; // if it turns out to be needed
+    Failure                     failure(program, mpi);
     try
       {
-        const CommandLine command = parse_command_line(argc, argv);
+        CommandLine command = parse_command_line(argc, argv);
+        command.run_again   = [&](std::vector<std::string> arguments) {
+          std::vector<char *> all = {argv[0]};
+          for (std::string &argument : arguments)
+            all.push_back(argument.data());
+          all.push_back(nullptr);
+          return run_program(program,
+                             all.size() - 1,
+                             all.data(),
+                             before_computing);
+        };
         if (command.action == CommandLine::Action::help)
           std::cout << program.help;
         else if (command.action == CommandLine::Action::version)
@@ -139,27 +244,26 @@ namespace NPT
       }
     catch (const InputError &error)
       {
-        std::cerr << program.name << ": " << error.what() << std::endl;
-        return 2;
+        return failure.end_all(error.what(), 2);
       }
     catch (const StageFailed &error)
       {
-        std::cerr << program.name << ": " << error.what() << std::endl;
+        failure.end_together(error.what(), 1);
+        mpi.reset(); // a signal does not
         Interruption::end_by_signal();
         return 1;
       }
     catch (const std::bad_alloc &)
       {
-        std::cerr << program.name
-                  << ": the memory does not suffice. What to try: "
-                  << OutOfMemory::remedy() << '.' << std::endl;
-        return end_all(1);
+        return failure.end_all("the memory does not suffice. What to try: " +
+                                 OutOfMemory::remedy() + '.',
+                               1);
       }
     catch (const std::exception &error)
       {
-        std::cerr << program.name << ": unexpected error, please report it:\n"
-                  << error.what() << std::endl;
-        return end_all(3);
+        return failure.end_all(
+          std::string("unexpected error, please report it:\n") + error.what(),
+          3);
       }
   }
 } // namespace NPT

@@ -8,12 +8,15 @@
 namespace NPT
 {
   Ranks::Ranks(const MPI_Comm communicator)
-    : communicator_(communicator)
-    , n_(dealii::Utilities::MPI::n_mpi_processes(communicator))
-    , rank_(dealii::Utilities::MPI::this_mpi_process(communicator))
   {
+    if (!dealii::Utilities::MPI::job_supports_mpi())
+      return;
+    communicator_ = communicator;
+    n_            = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    rank_         = dealii::Utilities::MPI::this_mpi_process(communicator);
     if (is_alone())
       return;
+    traffic_ = std::make_shared<Traffic>();
     MPI_Comm machine;
     MPI_Comm_split_type(
       communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
@@ -27,17 +30,16 @@ namespace NPT
   {
     // MPI_Allreduce may add in another order on each process.
     void
-    reduce(double         *x,
-           const int       size,
-           const MPI_Op    operation,
-           const bool      is_first,
-           const MPI_Comm &communicator)
+    sum_of_first(double         *x,
+                 const int       size,
+                 const bool      is_first,
+                 const MPI_Comm &communicator)
     {
       MPI_Reduce(is_first ? MPI_IN_PLACE : x,
                  x,
                  size,
                  MPI_DOUBLE,
-                 operation,
+                 MPI_SUM,
                  0,
                  communicator);
       MPI_Bcast(x, size, MPI_DOUBLE, 0, communicator);
@@ -47,10 +49,21 @@ namespace NPT
 
 
   void
+  Ranks::count(const unsigned int n_calls, const std::size_t bytes) const
+  {
+    traffic_->n_calls += n_calls;
+    traffic_->bytes += bytes;
+  }
+
+
+
+  void
   Ranks::sum(dealii::Vector<double> &x) const
   {
-    if (!is_alone())
-      reduce(x.begin(), x.size(), MPI_SUM, is_first(), communicator_);
+    if (is_alone())
+      return;
+    count(2, 2 * sizeof(double) * x.size());
+    sum_of_first(x.begin(), x.size(), is_first(), communicator_);
   }
 
 
@@ -59,19 +72,10 @@ namespace NPT
   Ranks::sum(const double x) const
   {
     double result = x;
-    if (!is_alone())
-      reduce(&result, 1, MPI_SUM, is_first(), communicator_);
-    return result;
-  }
-
-
-
-  double
-  Ranks::max(const double x) const
-  {
-    double result = x;
-    if (!is_alone())
-      reduce(&result, 1, MPI_MAX, is_first(), communicator_);
+    if (is_alone())
+      return result;
+    count(2, 2 * sizeof(double));
+    sum_of_first(&result, 1, is_first(), communicator_);
     return result;
   }
 
@@ -80,7 +84,10 @@ namespace NPT
   unsigned int
   Ranks::min(const unsigned int x) const
   {
-    return is_alone() ? x : dealii::Utilities::MPI::min(x, communicator_);
+    if (is_alone())
+      return x;
+    count(1, sizeof(x));
+    return dealii::Utilities::MPI::min(x, communicator_);
   }
 
 
@@ -106,6 +113,7 @@ namespace NPT
   {
     if (is_alone())
       return numbers;
+    count(1, sizeof(double) * numbers.size());
     const auto all = dealii::Utilities::MPI::all_gather(communicator_, numbers);
     unsigned int lowest = 0;
     for (unsigned int p = 1; p < all.size(); ++p)
@@ -119,8 +127,10 @@ namespace NPT
   void
   Ranks::broadcast(dealii::Vector<double> &x) const
   {
-    if (!is_alone())
-      MPI_Bcast(x.begin(), x.size(), MPI_DOUBLE, 0, communicator_);
+    if (is_alone())
+      return;
+    count(1, sizeof(double) * x.size());
+    MPI_Bcast(x.begin(), x.size(), MPI_DOUBLE, 0, communicator_);
   }
 
 
@@ -131,6 +141,7 @@ namespace NPT
     if (is_alone())
       return text;
     unsigned int size = text.size();
+    count(2, sizeof(size) + size);
     MPI_Bcast(&size, 1, MPI_UNSIGNED, 0, communicator_);
     std::string result = is_first() ? text : std::string(size, ' ');
     MPI_Bcast(result.data(), size, MPI_CHAR, 0, communicator_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Choice of OpenBLAS kernels.
+// Choice of OpenBLAS kernels and threads.
 
 #include <npt_dealii/linear_algebra/blas_kernels.h>
 
@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <utility>
 
 namespace NPT
 {
@@ -37,5 +38,33 @@ namespace NPT
 #else
     (void)argv;
 #endif
+  }
+
+
+
+  void
+  obey_thread_limits()
+  {
+    using Function = void (*)(int);
+    for (const auto &[variable, setter] :
+         {std::pair("OMP_NUM_THREADS", "omp_set_num_threads"),
+          std::pair("OPENBLAS_NUM_THREADS", "openblas_set_num_threads")})
+      {
+        const char *const text = std::getenv(variable);
+        const int         n    = text == nullptr ? 0 : std::atoi(text);
+        const auto        set =
+          reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, setter));
+        if (n > 0 && set != nullptr)
+          set(n);
+      }
+  }
+
+
+
+  void
+  prepare_blas(char **argv)
+  {
+    select_blas_kernels(argv);
+    obey_thread_limits();
   }
 } // namespace NPT

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -258,9 +259,12 @@ namespace NPT
           control(18) = 3;
       }
 
+      // Collective: of several processes, one that an error ends alone would
+      // wait here for the others, and say nothing.
       ~MUMPSInstance()
       {
-        call(-2);
+        if (ranks.is_alone() || std::uncaught_exceptions() == 0)
+          call(-2);
       }
 
       MUMPSInstance(const MUMPSInstance &) = delete;

@@ -292,6 +292,37 @@ TEST_CASE("An output directory that cannot be made ends with status 2", "[top]")
 
 
 
+TEST_CASE("What only reads needs no MPI, and one process needs no helper of it",
+          "[top]")
+{
+  const fs::path work = fresh_folder("no_mpi");
+  // Open MPI finds no way to send messages, and then not its own programs.
+  const std::string broken = "OMPI_MCA_pml=nothing",
+                    alone  = "OPAL_BINDIR=" + work.string();
+  const auto run           = [&](const std::string              &variable,
+                       const std::vector<std::string> &arguments) {
+    return run_program(
+      work,
+      std::vector<std::string>{"-i",
+                               "PATH=" + std::string(std::getenv("PATH")),
+                               "OMPI_ALLOW_RUN_AS_ROOT=1",
+                               "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
+                               variable,
+                               NPT_PROGRAM,
+                               shear} +
+        arguments,
+      "env");
+  };
+  CHECK(run(broken, {"--validate"}).status == 0);
+  CHECK(run(broken, {"--print-defaults"}).status == 0);
+  CHECK(run(broken, {"--geometry-only", "--output=cell"}).status == 0);
+  CHECK(fs::exists(work / "cell/geometry.vtu"));
+  CHECK(run(broken, small).status != 0);
+  CHECK(run(alone, small).status == 0);
+}
+
+
+
 TEST_CASE("A problem of one process is refused under mpirun with status 2 "
           "before it makes a folder",
           "[top]")

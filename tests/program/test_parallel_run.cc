@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <set>
 
 #include "run_program.h"
@@ -73,21 +74,24 @@ namespace
 TEST_CASE("Two and three processes give the curve and the files of one",
           "[top]")
 {
-  const fs::path work = fresh_folder("parallel");
-  REQUIRE(run_program(work,
-                      [&]() {
-                        auto arguments = coarse;
-                        arguments.push_back("--output=one");
-                        return arguments;
-                      }())
-            .status == 0);
+  const fs::path    work        = fresh_folder("parallel");
+  const std::string enforcement = GENERATE("penalty", "augmented Lagrangian");
+  auto              with_output = [&](const std::string &folder) {
+    auto arguments = coarse;
+    arguments.push_back("--set=Contact/Enforcement=" + enforcement);
+    arguments.push_back("--output=" + folder);
+    return arguments;
+  };
+  INFO(enforcement);
+  REQUIRE(run_program(work, with_output("one")).status == 0);
   const Table one = read_table((work / "one/curves.csv").string());
   for (const unsigned int n : {2, 3})
     {
-      const std::string name      = std::to_string(n);
-      auto              arguments = coarse;
-      arguments.push_back("--output=" + name);
-      const ProgramResult result = run_on(n, work, arguments);
+      if (n == 3 && enforcement != "penalty")
+        continue;
+      const std::string   name      = std::to_string(n);
+      const auto          arguments = with_output(name);
+      const ProgramResult result    = run_on(n, work, arguments);
       INFO(n << " processes: " << result.err);
       REQUIRE(result.status == 0);
       const Table several = read_table((work / name / "curves.csv").string());
@@ -112,12 +116,15 @@ TEST_CASE("Of several processes one says what is wrong, with the exit status "
 {
   const fs::path work      = fresh_folder("parallel_errors");
   auto           arguments = coarse;
-  const auto     n_said    = [](const std::string &text) {
+  const auto n_times = [](const std::string &text, const std::string &words) {
     unsigned int n = 0;
-    for (auto at = text.find("npt_dealii: "); at != std::string::npos;
-         at      = text.find("npt_dealii: ", at + 1))
+    for (auto at = text.find(words); at != std::string::npos;
+         at      = text.find(words, at + 1))
       ++n;
     return n;
+  };
+  const auto n_said = [&](const std::string &text) {
+    return n_times(text, "npt_dealii: ");
   };
   SECTION("input that cannot be used")
   {
@@ -139,6 +146,35 @@ TEST_CASE("Of several processes one says what is wrong, with the exit status "
   {
     std::ofstream(work / "file") << "no folder\n";
     arguments.push_back("--output=file/below");
+    const ProgramResult result = run_on(2, work, arguments);
+    CHECK(result.status == 2);
+    CHECK(n_said(result.err) == 1);
+  }
+  SECTION("results that cannot be written, which only the first one notices")
+  {
+    // Opens, and is full.
+    fs::create_directories(work / "full");
+    fs::create_symlink("/dev/full", work / "full/curves.csv");
+    arguments.push_back("--output=full");
+    const auto          start  = std::chrono::steady_clock::now();
+    const ProgramResult result = run_on(2, work, arguments);
+    const std::chrono::duration<double> seconds =
+      std::chrono::steady_clock::now() - start;
+    CHECK(result.status == 3);
+    CHECK(n_times(result.err, "full/curves.csv failed") == 1);
+    CHECK(seconds.count() < 100); // the others would wait for ever
+  }
+  SECTION("a summary that cannot be written at the end")
+  {
+    fs::create_directories(work / "taken/summary.csv");
+    arguments.push_back("--output=taken");
+    const ProgramResult result = run_on(2, work, arguments);
+    CHECK(result.status == 2);
+    CHECK(n_said(result.err) == 1);
+  }
+  SECTION("a command line that nobody understands")
+  {
+    arguments.push_back("--nonsense");
     const ProgramResult result = run_on(2, work, arguments);
     CHECK(result.status == 2);
     CHECK(n_said(result.err) == 1);

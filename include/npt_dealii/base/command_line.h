@@ -5,6 +5,7 @@
 #ifndef npt_dealii_base_command_line_h
 #define npt_dealii_base_command_line_h
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,11 @@ namespace NPT
                                   ///< version and print_defaults.
     std::string output_directory; ///< Empty: the one of the parameter file.
     std::vector<std::string> overrides; ///< "Subsection/Entry=value", in order.
+
+    /// Runs the program with other arguments and returns its exit status. It
+    /// is for a forked process that ends with this status, as a case of a
+    /// study does. Set by run_program(), not by parse_command_line().
+    std::function<int(std::vector<std::string> arguments)> run_again;
   };
 
   /**

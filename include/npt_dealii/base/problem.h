@@ -50,6 +50,10 @@ namespace NPT
     /// Whether several processes share its work. Otherwise all would compute
     /// the same and write into one folder.
     bool runs_in_parallel = false;
+
+    /// Whether one process alone needs MPI to compute: the solver MUMPS does.
+    /// Several processes always have it, and none that only reads.
+    bool needs_mpi = true;
   };
 
 

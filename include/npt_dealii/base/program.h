@@ -33,6 +33,9 @@ namespace NPT
    * @param before_computing Called with @p argv if something will be computed,
    *   before MPI is initialized; it may start the program anew.
    *
+   * MPI is initialized only for what computes. Of several processes one says
+   * what is wrong; what one of them meets alone ends all.
+   *
    * @return Exit status: 0 done, 1 the run ended early or missed a tolerance, 2
    *   the input cannot be used, 3 an unexpected error. Messages go to standard
    *   error.

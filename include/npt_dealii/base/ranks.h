@@ -8,6 +8,7 @@
 
 #include <mpi.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ namespace NPT
   {
   public:
     Ranks() = default;
+    /// This process alone if MPI is not initialized.
     explicit Ranks(const MPI_Comm communicator);
 
     MPI_Comm
@@ -67,12 +69,24 @@ namespace NPT
       return k % n_ == rank_;
     }
 
+    /// What the member functions have exchanged so far, copies of the object
+    /// included; without what MUMPS exchanges.
+    struct Traffic
+    {
+      unsigned long n_calls = 0; ///< collective calls of MPI
+      double        bytes   = 0; ///< handed to them by each process
+    };
+    /// Null for a process alone.
+    const Traffic *
+    traffic() const
+    {
+      return traffic_.get();
+    }
+
     void
     sum(dealii::Vector<double> &x) const;
     double
     sum(const double x) const;
-    double
-    max(const double x) const;
     unsigned int
     min(const unsigned int x) const;
     /// Whether all of them say so.
@@ -92,10 +106,15 @@ namespace NPT
     broadcast(const std::string &text) const;
 
   private:
+    void
+    count(const unsigned int n_calls, const std::size_t bytes) const;
+
     MPI_Comm     communicator_ = MPI_COMM_SELF;
     unsigned int n_            = 1;
     unsigned int rank_         = 0;
     unsigned int n_on_machine_ = 1;
+
+    std::shared_ptr<Traffic> traffic_; // shared by copies
   };
 } // namespace NPT
 

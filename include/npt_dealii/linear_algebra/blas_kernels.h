@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Defines the choice of BLAS kernels on processors that are newer than the
-// installed OpenBLAS.
+// installed OpenBLAS, and the number of its threads.
 
 #ifndef npt_dealii_linear_algebra_blas_kernels_h
 #define npt_dealii_linear_algebra_blas_kernels_h
@@ -22,6 +22,18 @@ namespace NPT
    */
   void
   select_blas_kernels(char **argv);
+
+  /**
+   * Let BLAS and OpenMP have the threads that OPENBLAS_NUM_THREADS and
+   * OMP_NUM_THREADS allow now. They read these variables while they are loaded,
+   * which for a copy of a process, as the cases of a study are, was too early.
+   */
+  void
+  obey_thread_limits();
+
+  /// Both: what a program does before it computes.
+  void
+  prepare_blas(char **argv);
 
   /// Kernels in use, e.g. "SkylakeX"; empty if the BLAS is not OpenBLAS.
   std::string

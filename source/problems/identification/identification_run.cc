@@ -168,6 +168,11 @@ namespace NPT
 
     const Registry<Problem>::Registration
       registration("identification",
-                   {2, "identification of a bundle law from test data", start});
+                   {2,
+                    "identification of a bundle law from test data",
+                    start,
+                    false,
+                    false,
+                    false});
   } // namespace
 } // namespace NPT

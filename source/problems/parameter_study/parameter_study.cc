@@ -312,7 +312,8 @@ namespace NPT
   void
   run_parameter_study(const StudyParameters &study,
                       const std::string     &directory,
-                      std::ostream          &screen)
+                      std::ostream          &screen,
+                      const std::function<int(std::vector<std::string>)> &run)
   {
     const bool first =
       !dealii::Utilities::MPI::job_supports_mpi() ||
@@ -334,6 +335,7 @@ namespace NPT
     options.side_by_side = study.side_by_side;
     options.cpu_limit    = study.cpu_limit;
     options.repeat       = study.repeat;
+    options.run          = run;
     run_cases(all, options, screen);
     if (!first)
       return;
@@ -385,11 +387,14 @@ namespace NPT
         return;
       run_parameter_study(parameters,
                           make_output_directory(command, parameters.directory),
-                          std::cout);
+                          std::cout,
+                          command.run_again);
     }
 
-    const Registry<Problem>::Registration
-      registration("parameter study",
-                   {3, "a study of many plate tests", start, false, true});
+    // One process needs no MPI, and must have none to hand out copies of itself
+    // to the cases.
+    const Registry<Problem>::Registration registration(
+      "parameter study",
+      {3, "a study of many plate tests", start, false, true, false});
   } // namespace
 } // namespace NPT

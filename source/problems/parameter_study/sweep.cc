@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Folders, processes and table of the cases of a study.
+// Folders, results and table of the cases of a study.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/io/table_file.h>
+#include <npt_dealii/problems/parameter_study/start_case.h>
 #include <npt_dealii/problems/parameter_study/sweep.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <fcntl.h>
 #include <sched.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -32,8 +32,6 @@
 #include <sstream>
 #include <thread>
 
-extern char **environ;
-
 namespace NPT
 {
   namespace fs = std::filesystem;
@@ -41,8 +39,6 @@ namespace NPT
   namespace
   {
     using Clock = std::chrono::steady_clock;
-
-    constexpr int exec_failed = 127; // as in a shell
 
     std::string
     read_text(const fs::path &path)
@@ -119,83 +115,6 @@ namespace NPT
             return;
           std::this_thread::sleep_for(std::chrono::milliseconds(50));
         }
-    }
-
-    // A run is a process of its own also for MPI: it must not take itself for
-    // a member of the study's job. Threads would take the cores of other cases.
-    std::vector<std::string>
-    environment_of_runs()
-    {
-      static const std::vector<std::string> of_mpi = {
-        "OMPI_", "PMIX_", "PMI_", "PMI2_", "MPI_", "HYDRA_", "HYDI_", "PRTE_"};
-      static const std::vector<std::string> threads = {"OMP_NUM_THREADS=1",
-                                                       "OPENBLAS_NUM_THREADS=1",
-                                                       "DEAL_II_NUM_THREADS=1"};
-
-      std::vector<std::string> result;
-      for (char **entry = environ; *entry != nullptr; ++entry)
-        {
-          const std::string text        = *entry;
-          const auto        begins_with = [&](const std::string &start) {
-            return text.compare(0, start.size(), start) == 0;
-          };
-          // The permission to run as root is the user's, not the job's.
-          const bool drop =
-            (is_parallel() && !begins_with("OMPI_ALLOW_") &&
-             std::any_of(of_mpi.begin(), of_mpi.end(), begins_with)) ||
-            std::any_of(threads.begin(),
-                        threads.end(),
-                        [&](const std::string &t) {
-                          return begins_with(t.substr(0, t.find('=') + 1));
-                        });
-          if (!drop)
-            result.push_back(text);
-        }
-      result.insert(result.end(), threads.begin(), threads.end());
-      return result;
-    }
-
-    pid_t
-    start_run(const SweepOptions &options, const fs::path &folder)
-    {
-      // All memory is taken before fork(): between fork and exec only calls
-      // that are safe in a signal handler are allowed.
-      const std::string program          = options.program,
-                        file             = (folder / "case.prm").string(),
-                        output           = folder.string(),
-                        screen           = (folder / "screen.txt").string(),
-                        error            = (folder / "error.txt").string();
-      std::vector<std::string> arguments = {program, file, "--output", output},
-                               environment = environment_of_runs();
-      const auto pointers = [](std::vector<std::string> &texts) {
-        std::vector<char *> result;
-        for (std::string &text : texts)
-          result.push_back(text.data());
-        result.push_back(nullptr);
-        return result;
-      };
-      const std::vector<char *> argv = pointers(arguments),
-                                envp = pointers(environment);
-      rlimit limit{};
-      limit.rlim_cur = static_cast<rlim_t>(std::ceil(options.cpu_limit));
-      limit.rlim_max = limit.rlim_cur + 5;
-
-      const pid_t pid = fork();
-      if (pid != 0)
-        return pid;
-      prctl(PR_SET_PDEATHSIG, SIGTERM); // no orphans if the study is ended
-      if (options.cpu_limit > 0)
-        setrlimit(RLIMIT_CPU, &limit);
-      rlimit no_core{};
-      setrlimit(RLIMIT_CORE, &no_core);
-      const int out  = open(screen.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-      const int err  = open(error.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-      const int none = open("/dev/null", O_RDONLY);
-      dup2(none, 0);
-      dup2(out, 1);
-      dup2(err, 2);
-      execve(program.c_str(), argv.data(), envp.data());
-      _exit(exec_failed);
     }
 
     std::string
@@ -523,7 +442,7 @@ namespace NPT
         if (claim < 0)
           return;
         close(claim);
-        const pid_t pid = start_run(options_, folder);
+        const pid_t pid = start_case(options_, folder.string());
         AssertThrow(pid > 0,
                     dealii::ExcMessage("No process can be started: " +
                                        std::string(std::strerror(errno))));

@@ -89,6 +89,10 @@ namespace NPT
       }
     catch (const std::bad_alloc &)
       {
+        // Of several processes the others may have memory left; they know
+        // nothing of it.
+        if (!ranks_.is_alone())
+          throw;
         give_up(StageFailed("Stage " + stage.name +
                               " ran out of memory at load factor " +
                               short_number(state_.load_factor) + ".",

@@ -409,6 +409,11 @@ namespace NPT
               (ranks.is_alone() ?
                  "" :
                  " on " + std::to_string(ranks.n()) + " processes"));
+    if (const Ranks::Traffic *traffic = ranks.traffic())
+      log_.line("Messages: " + std::to_string(traffic->n_calls) +
+                " collective calls with " +
+                short_number(1e-6 * traffic->bytes, 3) +
+                " MB from each process; those of MUMPS come to this");
     timer_.print_summary();
   }
 

@@ -217,6 +217,60 @@ TEST_CASE("A study runs its cases, survives a failed one, goes on where it was "
 
 
 
+TEST_CASE("Cases that copies of a study compute are those of a program started "
+          "anew, to the last bit",
+          "[top]")
+{
+  const fs::path work = fresh_folder("study_copies");
+  std::ofstream(work / "study.prm")
+    << problem << "subsection Study\n set Base = " << NPT_SOURCE_DIR
+    << "/prm/shear.prm\nend\n"
+       "subsection Mesh\n set Elements along = 3\n set Elements across = 3\n"
+       " set Elements through = 1\nend\n"
+       "subsection Friction\n set Friction coefficient = {0.1 | 0.5}\nend\n"
+       "subsection Load programme\n subsection Stage shear\n"
+       "  set Targets = H3: 0.05\n  set Initial step = 0.5\n"
+       "  set Maximum step = 0.5\n end\nend\n";
+  const ProgramResult copies = run_program(work, {"study.prm"});
+  INFO(copies.out + copies.err);
+  REQUIRE(copies.status == 0);
+  // mpirun has MPI initialized, which no copy can use.
+  const ProgramResult anew =
+    run_program(work,
+                {"-i",
+                 "PATH=" + std::string(std::getenv("PATH")),
+                 "HOME=" + work.string(),
+                 "OMPI_ALLOW_RUN_AS_ROOT=1",
+                 "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
+                 "mpirun",
+                 "-n",
+                 "1",
+                 NPT_PROGRAM,
+                 "study.prm",
+                 "--output",
+                 "anew"},
+                "env");
+  INFO(anew.out + anew.err);
+  REQUIRE(anew.status == 0);
+  for (const std::string name : {"0001", "0002"})
+    {
+      const Table a = read_table(
+        (work / "output-study/cases" / name / "curves.csv").string());
+      const Table b =
+        read_table((work / "anew/cases" / name / "curves.csv").string());
+      REQUIRE(a.n_rows() > 5);
+      CHECK(a.column_names == b.column_names);
+      for (const std::string &column : a.column_names)
+        if (column != "cpu_seconds")
+          {
+            INFO(name + " " + column);
+            CHECK(a.text_column(column) == b.text_column(column));
+          }
+    }
+}
+
+
+
 TEST_CASE("Processes of MPI share the cases of a study", "[top][.slow]")
 {
   const fs::path work = fresh_folder("study_mpi");

@@ -7,8 +7,10 @@
 
 #include <npt_dealii/problems/parameter_study/study_parameters.h>
 
+#include <functional>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace NPT
 {
@@ -16,13 +18,18 @@ namespace NPT
    * Run a study: all cases that are not finished, then tables and pictures.
    * Collective if started by mpirun.
    *
+   * @param run Runs the program with other arguments, for the cases; see
+   *   SweepOptions. Without it the program is started anew for each case.
+   *
    * Throws StageFailed if the reference of a work-precision study failed;
    * other cases may fail, the tables say how.
    */
   void
-  run_parameter_study(const StudyParameters &parameters,
-                      const std::string     &directory,
-                      std::ostream          &screen);
+  run_parameter_study(
+    const StudyParameters                              &parameters,
+    const std::string                                  &directory,
+    std::ostream                                       &screen,
+    const std::function<int(std::vector<std::string>)> &run = {});
 } // namespace NPT
 
 #endif

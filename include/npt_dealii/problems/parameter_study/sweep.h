@@ -7,6 +7,7 @@
 
 #include <npt_dealii/problems/plate_results/run_summary.h>
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <utility>
@@ -52,6 +53,10 @@ namespace NPT
 
     /// Started as `program FOLDER/case.prm --output FOLDER`.
     std::string program = "/proc/self/exe";
+
+    /// The same without starting a program: called with the arguments in a copy
+    /// of this process; returns the exit status. See start_case().
+    std::function<int(const std::vector<std::string> &arguments)> run;
   };
 
   /// Cores that this process may use.
@@ -73,7 +78,7 @@ namespace NPT
    *
    * Every run is a process of its own: whatever happens to it, the others go
    * on. CPU seconds are those of the whole process, start-up included. It runs
-   * with one thread.
+   * with one thread. See start_case().
    *
    * Collective over MPI_COMM_WORLD if MPI is initialized: the processes take
    * the next case each by creating the file `claim` in its folder, which must
