@@ -68,11 +68,11 @@ def value(curve, H, component):
     raise ValueError(f"the curve ends before H3 = {H}")
 
 
-def difference(curve, reference, component=3):
+def difference(curve, reference, component=3, spacing=0.01):
     """Relative L2 difference over H3 of two curves, trapezoidal rule on the
-    abscissae H3 = 0.01, 0.02, .. that all runs have (n3 = 0 at H3 = 0)."""
+    multiples of the spacing, abscissae that both have (n3 = 0 at H3 = 0)."""
     last = reference[-1][0]
-    points = [0.01 * k for k in range(1, round(last / 0.01) + 1)]
+    points = [spacing * k for k in range(1, round(last / spacing) + 1)]
     error = norm = 0.0
     for H in points:
         w = 0.5 if H == points[-1] else 1.0
@@ -164,25 +164,36 @@ def plot(script, **names):
     subprocess.run(["gnuplot", "-e", settings, str(HERE / script)], check=True)
 
 
+def run_ccx(folder, mu, n, through, steps):
+    """Run CalculiX unless its curve is complete; True if it is complete now."""
+    curve = folder / "curve.csv"
+    if not (curve.exists() and complete(curve)):
+        subprocess.run(["nice", sys.executable, str(HERE / "woven_cell.py"),
+                        "--output", str(folder),
+                        *peer_options(mu, n, through, steps)],
+                       env=environment(), check=False)
+        for big in folder.glob("*.frd"):
+            big.unlink()
+    if curve.exists() and complete(curve):
+        return True
+    print(f"{folder.name} did not finish", file=sys.stderr)
+    return False
+
+
+def peer_options(mu, n, through, steps):
+    """Mesh, increments and friction for woven_cell.py."""
+    return ["--along", str(n), "--across", str(n), "--through", str(through),
+            "--weave-steps", str(steps), "--shear-steps", str(steps),
+            "--friction", str(mu)]
+
+
 def run_calculix(options, reference):
     """Run CalculiX on all meshes: rows of the table, the curve of the finest
     mesh of each friction, version and dates."""
     rows, stored, made = [], [], set()
     for mu, n, through, steps in CALCULIX_RUNS:
         folder = options.output / f"ccx_mu{mu}_{n}x{n}x{through}_{steps}"
-        if not (folder / "curve.csv").exists() or \
-                not complete(folder / "curve.csv"):
-            subprocess.run(["nice", sys.executable, str(HERE / "woven_cell.py"),
-                            "--output", str(folder), "--along", str(n),
-                            "--across", str(n), "--through", str(through),
-                            "--weave-steps", str(steps),
-                            "--shear-steps", str(steps), "--friction", str(mu)],
-                           env=environment(), check=False)
-            for big in folder.glob("*.frd"):
-                big.unlink()
-        if not (folder / "curve.csv").exists() or \
-                not complete(folder / "curve.csv"):
-            print(f"{folder.name} did not finish", file=sys.stderr)
+        if not run_ccx(folder, mu, n, through, steps):
             continue
         curve = shear(folder / "curve.csv")
         text = (folder / "curve.csv").read_text()

@@ -27,6 +27,9 @@ import time
 # per unit of H, so H deviates by 1e-5 of itself; the curve has the actual H.
 DRIVE_STIFFNESS = 1e7
 
+# What computes the deck cell.inp, in its folder.
+COMMAND = ["ccx", "-i", "cell"]
+
 
 class Orbits:
     """Unknowns tied by x_i = s x_j + affine, s = +1 or -1, reduced to one
@@ -350,6 +353,21 @@ def parse(arguments):
     return p.parse_args(arguments)
 
 
+def finish(cell, folder, status, seconds):
+    """The curve of a run of ccx that has ended; True if it came to the end."""
+    text = (folder / "ccx.log").read_text()
+    version = re.search(r"CalculiX Version (\S+?),", text)
+    rows = read_results(folder / "cell.dat", len(cell.nodes))
+    write_curve(cell, rows, version.group(1) if version else "unknown", seconds,
+                folder / "curve.csv")
+    reached = rows[-1][0] if rows else 0.0
+    if status != 0 or "*ERROR" in text or abs(reached - 3.0) > 1e-6:
+        print(f"CalculiX stopped at time {reached} of 3; see {folder}/ccx.log",
+              file=sys.stderr)
+        return False
+    return True
+
+
 def main(arguments):
     options = parse(arguments)
     options.output.mkdir(parents=True, exist_ok=True)
@@ -359,20 +377,10 @@ def main(arguments):
         return 0
     start = time.time()
     with (options.output / "ccx.log").open("w") as log:
-        status = subprocess.run(["ccx", "-i", "cell"], cwd=options.output,
-                                stdout=log, stderr=subprocess.STDOUT).returncode
+        status = subprocess.run(COMMAND, cwd=options.output, stdout=log,
+                                stderr=subprocess.STDOUT).returncode
     seconds = time.time() - start
-    text = (options.output / "ccx.log").read_text()
-    version = re.search(r"CalculiX Version (\S+?),", text)
-    rows = read_results(options.output / "cell.dat", len(cell.nodes))
-    write_curve(cell, rows, version.group(1) if version else "unknown", seconds,
-                options.output / "curve.csv")
-    reached = rows[-1][0] if rows else 0.0
-    if status != 0 or "*ERROR" in text or abs(reached - 3.0) > 1e-6:
-        print(f"CalculiX stopped at time {reached} of 3; see "
-              f"{options.output}/ccx.log", file=sys.stderr)
-        return 1
-    return 0
+    return 0 if finish(cell, options.output, status, seconds) else 1
 
 
 if __name__ == "__main__":
