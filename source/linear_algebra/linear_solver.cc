@@ -140,8 +140,9 @@ namespace NPT
                   maximum_memory,
                   "Memory that MUMPS may take for its factors on one machine "
                   "[GB]. It is compared before it is taken; if more is needed, "
-                  "automatic goes on with ILU, and MUMPS ends the run. 0: what "
-                  "is available at that time.",
+                  "factors go to the disk ($MUMPS_OOC_TMPDIR or /tmp). If that "
+                  "does not do, automatic goes on with ILU on one process, and "
+                  "MUMPS ends the run. 0: what is available at that time.",
                   Patterns::Double(0));
   }
 
@@ -268,9 +269,11 @@ namespace NPT
     text.precision(2);
     text << name_of(parameters.type);
     if (backend->gigabytes() > 0)
-      text << ", factors of " << backend->gigabytes() << " GB";
+      text << ", memory of " << backend->gigabytes() << " GB";
+    if (backend->has_factors_on_disk())
+      text << ", factors on disk, since they do not fit in the memory";
     if (chosen_by_program)
-      text << (reason.empty() ? " (automatic: they fit in the memory)" :
+      text << (reason.empty() ? " (automatic)" :
                                 " (automatic: " + reason + ")");
     return text.str();
   }

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// MUMPS behind LinearSolver, with the order of elimination that METIS finds.
+// MUMPS behind LinearSolver.
 
 #include <npt_dealii/base/available_memory.h>
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/linear_algebra/elimination_order.h>
 #include <npt_dealii/linear_algebra/linear_solver_backend.h>
+#include <npt_dealii/linear_algebra/matrix_symmetry.h>
 
 #include <deal.II/base/config.h>
 
 #include <dmumps_c.h>
-#ifdef DEAL_II_WITH_METIS
-#  include <metis.h>
-#endif
 #include <mpi.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <exception>
-#include <iterator>
 #include <sstream>
-#include <utility>
 
 namespace NPT
 {
@@ -27,195 +22,6 @@ namespace NPT
 
   namespace
   {
-    /// Neighbors of each unknown, sorted, in compressed rows.
-    struct Graph
-    {
-      std::vector<int> start, neighbors;
-    };
-
-    /// Call visit(k, l) for every entry k with the position l of the transposed
-    /// one, row by row: a row meets the entries of its column in order. Return
-    /// false at the first entry without one, or for which visit() says so.
-    template <typename Visitor>
-    bool
-    for_each_transposed(const CSRMatrix &A, const Visitor &visit)
-    {
-      std::vector<int> next(A.row_start.begin(), A.row_start.end() - 1);
-      for (int i = 0; i < static_cast<int>(A.n()); ++i)
-        for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-          {
-            const int j = A.columns[k], l = next[j]++;
-            if (l == A.row_start[j + 1] || A.columns[l] != i || !visit(k, l))
-              return false;
-          }
-      return true;
-    }
-
-
-
-    bool
-    has_symmetric_pattern(const CSRMatrix &A)
-    {
-      return for_each_transposed(A, [](const int, const int) { return true; });
-    }
-
-
-
-    bool
-    has_symmetric_values(const CSRMatrix &A)
-    {
-      std::vector<double> largest(A.n(), 0.);
-      for (unsigned int i = 0; i < A.n(); ++i)
-        for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-          largest[i] = std::max(largest[i], std::abs(A.values[k]));
-      return for_each_transposed(A, [&](const int k, const int l) {
-        // Written so that NaN is not symmetric.
-        return std::abs(A.values[k] - A.values[l]) <=
-               1e-12 * largest[A.columns[k]];
-      });
-    }
-
-
-
-    /// That of A + A^T, with the diagonal where A has it.
-    Graph
-    symmetric_graph(const CSRMatrix &A, const bool pattern_is_symmetric)
-    {
-      if (pattern_is_symmetric)
-        return {A.row_start, A.columns};
-      std::vector<std::vector<int>> transposed(A.n());
-      for (int i = 0; i < static_cast<int>(A.n()); ++i)
-        for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-          transposed[A.columns[k]].push_back(i);
-      Graph graph{{0}, {}};
-      for (int i = 0; i < static_cast<int>(A.n()); ++i)
-        {
-          std::set_union(A.columns.begin() + A.row_start[i],
-                         A.columns.begin() + A.row_start[i + 1],
-                         transposed[i].begin(),
-                         transposed[i].end(),
-                         std::back_inserter(graph.neighbors));
-          graph.start.push_back(graph.neighbors.size());
-        }
-      return graph;
-    }
-
-
-
-    Graph
-    joined(const Graph &a, const Graph &b)
-    {
-      Graph both{{0}, {}};
-      for (std::size_t i = 0; i + 1 < a.start.size(); ++i)
-        {
-          std::set_union(a.neighbors.begin() + a.start[i],
-                         a.neighbors.begin() + a.start[i + 1],
-                         b.neighbors.begin() + b.start[i],
-                         b.neighbors.begin() + b.start[i + 1],
-                         std::back_inserter(both.neighbors));
-          both.start.push_back(both.neighbors.size());
-        }
-      return both;
-    }
-
-
-
-    /// The graphs of all processes in one, on the first of them.
-    Graph
-    gathered(Graph graph, const Ranks &ranks)
-    {
-      const auto receive = [&](const unsigned int from) {
-        Graph other;
-        for (std::vector<int> *list : {&other.start, &other.neighbors})
-          {
-            MPI_Status status;
-            int        size = 0;
-            MPI_Probe(from, 0, ranks.communicator(), &status);
-            MPI_Get_count(&status, MPI_INT, &size);
-            list->resize(size);
-            MPI_Recv(list->data(),
-                     size,
-                     MPI_INT,
-                     from,
-                     0,
-                     ranks.communicator(),
-                     MPI_STATUS_IGNORE);
-          }
-        return other;
-      };
-      if (ranks.is_first())
-        for (unsigned int p = 1; p < ranks.n(); ++p)
-          graph = joined(graph, receive(p));
-      else
-        for (const std::vector<int> *list : {&graph.start, &graph.neighbors})
-          MPI_Send(
-            list->data(), list->size(), MPI_INT, 0, 0, ranks.communicator());
-      return graph;
-    }
-
-
-
-    /**
-     * Return the position (from 1) of each unknown in the order of
-     * elimination. Debian's MUMPS knows no nested dissection of its own, which
-     * saves 15 to 34 % of the operations on elastic boxes of 1,452 to 15,360
-     * unknowns (quadratic B-splines). Halves that are equal within .5 % instead
-     * of METIS' 20 % save another 22 and 7 % on woven cells of 5,122 and 12,630
-     * unknowns (and cost 2 % at 76,490). Empty if deal.II has no METIS.
-     *
-     * @param ranks Each has a part of A; the first one gets the order, the
-     *   others nothing.
-     */
-    std::vector<int>
-    nested_dissection(const CSRMatrix &A,
-                      const bool       pattern_is_symmetric,
-                      const Ranks     &ranks)
-    {
-#ifdef DEAL_II_WITH_METIS
-      Graph graph = symmetric_graph(A, pattern_is_symmetric);
-      if (!ranks.is_alone())
-        graph = gathered(std::move(graph), ranks);
-      if (!ranks.is_first())
-        return {};
-      // METIS wants it without the diagonal.
-      std::vector<idx_t> start(1, 0), neighbors;
-      neighbors.reserve(graph.neighbors.size());
-      idx_t n = A.n();
-      for (int i = 0; i < n; ++i)
-        {
-          for (int k = graph.start[i]; k < graph.start[i + 1]; ++k)
-            if (graph.neighbors[k] != i)
-              neighbors.push_back(graph.neighbors[k]);
-          start.push_back(neighbors.size());
-        }
-      graph = Graph();
-
-      std::array<idx_t, METIS_NOPTIONS> options;
-      METIS_SetDefaultOptions(options.data());
-      options[METIS_OPTION_UFACTOR] = 5; // per mille
-      std::vector<idx_t> order(n), position(n);
-      const int          status = METIS_NodeND(&n,
-                                      start.data(),
-                                      neighbors.data(),
-                                      nullptr,
-                                      options.data(),
-                                      order.data(),
-                                      position.data());
-      AssertThrow(status == METIS_OK,
-                  dealii::ExcMessage("METIS cannot order the matrix."));
-      for (auto &p : position)
-        ++p;
-      return {position.begin(), position.end()};
-#else
-      (void)A;
-      (void)pattern_is_symmetric;
-      (void)ranks;
-      return {};
-#endif
-    }
-
-
-
     /**
      * One instance of MUMPS: L U for a general matrix, or L D L^T without
      * pivoting for a positive definite one. It reads our index arrays and
@@ -306,7 +112,15 @@ namespace NPT
       double
       gigabytes() const
       {
-        return 1e-3 * data.infog[16];
+        return 1e-3 * data.infog[is_on_disk ? 26 : 16];
+      }
+
+      /// Whether the factors are files (in $MUMPS_OOC_TMPDIR, /tmp), because
+      /// they do not fit in the memory.
+      bool
+      has_factors_on_disk() const
+      {
+        return is_on_disk;
       }
 
       /// Return whether the matrix was factorized; a singular one, and one
@@ -355,14 +169,21 @@ namespace NPT
         check("analysis");
         // Asked before MUMPS takes it: a machine that has promised more than it
         // has ends processes.
-        const double needed    = ranks.n_on_machine() * 1e-3 * data.infog[15],
-                     available = maximum_memory > 0 ? maximum_memory :
-                                                      available_gigabytes();
-        if (ranks.any(needed > available))
+        const double available =
+          maximum_memory > 0 ? maximum_memory : available_gigabytes();
+        const auto fits = [&](const int megabytes) {
+          return ranks.all(ranks.n_on_machine() * 1e-3 * megabytes <=
+                           available);
+        };
+        is_on_disk  = !fits(data.infog[15]);
+        control(22) = is_on_disk ? 1 : 0;
+        if (is_on_disk && !fits(data.infog[25]))
           {
             std::ostringstream detail;
             detail.precision(2);
-            detail << "MUMPS would need " << needed << " GB, and " << available
+            detail << "MUMPS would need "
+                   << ranks.n_on_machine() * 1e-3 * data.infog[25]
+                   << " GB even with its factors on disk, and " << available
                    << (maximum_memory > 0 ? " GB are allowed" :
                                             " GB are available");
             throw OutOfMemory(detail.str());
@@ -401,6 +222,7 @@ namespace NPT
       const Ranks    ranks;
       DMUMPS_STRUC_C data = {};
       int            extra_memory; // per cent
+      bool           is_on_disk = false;
     };
 
 
@@ -477,6 +299,12 @@ namespace NPT
       gigabytes() const override
       {
         return in_use == nullptr ? 0 : in_use->gigabytes();
+      }
+
+      bool
+      has_factors_on_disk() const override
+      {
+        return in_use != nullptr && in_use->has_factors_on_disk();
       }
 
     private:

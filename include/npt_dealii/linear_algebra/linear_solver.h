@@ -60,8 +60,9 @@ namespace NPT
    * same; the values are overwritten in place.
    *
    * - automatic: MUMPS, the fastest one of them in all sizes tried, up to
-   *   318,000 unknowns. If it finds, before it takes it, that its factors need
-   *   more memory than there is, ILU takes over (on one process).
+   *   76,000 unknowns. If it finds, before it takes it, that its factors need
+   *   more memory than there is, they go to the disk; if that does not do, ILU
+   *   takes over (on one process).
    * - MUMPS, UMFPACK: direct. The residual of every solution is computed (one
    *   product) and one step of iterative refinement
    *   is done only if it exceeds 1e-12 |b|: a solution that is already at

@@ -40,6 +40,12 @@ namespace NPT
       return 0;
     }
 
+    virtual bool
+    has_factors_on_disk() const
+    {
+      return false;
+    }
+
     bool         is_direct    = true;
     unsigned int n_iterations = 0; ///< of the last solve()
     std::vector<dealii::Vector<double>> near_null_space;

@@ -196,7 +196,9 @@ namespace NPT
       }
     catch (const StageFailed &failure)
       {
-        if (failure.reason() == "interrupted")
+        // The same would happen again on the way in steps.
+        if (failure.reason() == "interrupted" ||
+            failure.reason() == "out of memory")
           throw;
         log_.line("Weaving on " + mesh +
                   " elements first does not serve: " + failure.account());
