@@ -3,8 +3,8 @@
 # Runs of the race of CalculiX and this program; those on the front are marked.
 
 BEGIN {
-  print "| program | elements | steps | unknowns | factorizations | CPU [s] | error, common reference | error, own reference |"
-  print "| --- | --- | --- | --- | --- | --- | --- | --- |"
+  print "| program | elements | steps | unknowns | factorizations | CPU [s] | error, common reference | bound | error, own reference |"
+  print "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"
 }
 
 function row(    mesh)
@@ -14,7 +14,8 @@ function row(    mesh)
   print "| " cell["program"] " | " mesh " | " cell["steps"] " | " \
     cell["unknowns"] " | " cell["factorizations"] " | " \
     fixed(cell["cpu_seconds"], 2) " | " fixed(100 * cell["error_common"], 2) \
-    " %" (cell["front"] + 0 ? " *" : "") " | " \
+    " % | " fixed(100 * cell["bound_common"], 2) " %" \
+    (cell["front"] + 0 ? " *" : "") " | " \
     fixed(100 * cell["error_own"], 2) " % |"
 }
 

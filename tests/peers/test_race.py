@@ -11,6 +11,12 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import race  # noqa: E402
 
 
+def row(program, seconds, e, steps=20):
+    """Unknowns grow with CPU seconds here."""
+    return dict(program=program, steps=steps, unknowns=round(1000 * seconds),
+                cpu_seconds=seconds, error_common=e, error_own=e)
+
+
 class EqualError(unittest.TestCase):
     def test_power_law_is_reproduced(self):
         """seconds = 0.01 / error is a straight line in logarithms."""
@@ -42,16 +48,27 @@ class EqualError(unittest.TestCase):
     def test_ratio_needs_points_of_both_programs(self):
         """The peer takes ten times as long at each error; below 1 % it has no
         run, so there is no ratio either."""
-        def row(program, seconds, e):
-            return [program, "", 0, 0, 0, seconds, 1, 0.0, e, e, 1]
         rows = [row("npt_dealii", 1e-2 / e, e) for e in (0.1, 0.02, 0.001)]
         rows += [row("CalculiX", 1e-1 / e, e) for e in (0.1, 0.008)]
+        race.add_bounds(rows)
         levels = race.levels_table(rows)
         self.assertEqual([(line[0], line[1]) for line in levels],
                          [(reference, e) for reference in ("common", "own")
                           for e in (0.05, 0.02, 0.01)])
         for line in levels:
             self.assertAlmostEqual(line[4], 10.0, 10)
+
+
+    def test_accidentally_small_errors_do_not_count(self):
+        """The second mesh is better than the third by accident, and bounded by
+        it; other steps and the other program do not matter."""
+        rows = [row("CalculiX", t, e) for t, e in
+                ((1.0, 0.1), (2.0, 0.001), (3.0, 0.02), (4.0, 0.01))]
+        rows += [row("CalculiX", 5.0, 0.5, steps=10), row("npt_dealii", 5.0, 1.0)]
+        race.add_bounds(rows)
+        self.assertEqual([r["bound_common"] for r in rows],
+                         [0.1, 0.02, 0.02, 0.01, 0.5, 1.0])
+        self.assertEqual([r["front"] for r in rows], [1, 1, 0, 1, 0, 1])
 
 
 class Curves(unittest.TestCase):
