@@ -357,7 +357,7 @@ namespace NPT
       "load step, for a fraction of the time. Without friction the woven state "
       "does not depend on the way to it; with friction in the weave stage, and "
       "with Basis = Lagrange, the entry has no effect. automatic: from 10,000 "
-      "unknowns on. A state that does not serve is no failure: weaving then "
+      "unknowns and 13 elements along and across on. A state that does not serve is no failure: weaving then "
       "begins with straight bundles.");
   }
 } // namespace NPT

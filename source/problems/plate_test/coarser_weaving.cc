@@ -13,10 +13,10 @@ namespace NPT
   namespace
   {
     constexpr unsigned int n_unknowns_that_pay = 10000;
-    // Bundles that touch need some elements to bend.
-    constexpr unsigned int fewest_elements = 4;
-    // Fewer along a bundle are woven faster than a yet coarser mesh is set up.
-    constexpr unsigned int elements_woven_directly = 8;
+    // Bundles that touch need some elements to bend, and with few contact nodes
+    // per crossing several states are in equilibrium: the program goes no
+    // further down by itself than to meshes that have the one of the fine mesh.
+    constexpr unsigned int fewest_elements = 4, fewest_by_itself = 7;
 
     unsigned int
     half(const unsigned int n_elements, const unsigned int fewest)
@@ -30,19 +30,23 @@ namespace NPT
   std::optional<PlateTestParameters>
   coarser_weaving(const PlateTestParameters &parameters, const PlateCell &cell)
   {
-    using CoarserWeaving        = MeshParameters::CoarserWeaving;
-    const MeshParameters &mesh  = parameters.mesh;
-    const LoadStage      &first = parameters.load_programme.stages.front();
-    const bool is_wanted        = mesh.coarser_weaving == CoarserWeaving::yes ||
-                           (mesh.coarser_weaving == CoarserWeaving::automatic &&
-                            cell.macro().n_unknowns() >= n_unknowns_that_pay);
+    using CoarserWeaving             = MeshParameters::CoarserWeaving;
+    const MeshParameters &mesh       = parameters.mesh;
+    const LoadStage      &first      = parameters.load_programme.stages.front();
+    const auto            stays_fine = [](const MeshParameters &fine) {
+      return half(std::min(fine.elements_along, fine.elements_across), 1) >=
+             fewest_by_itself;
+    };
+    const bool is_wanted =
+      mesh.coarser_weaving == CoarserWeaving::yes ||
+      (mesh.coarser_weaving == CoarserWeaving::automatic && stays_fine(mesh) &&
+       cell.macro().n_unknowns() >= n_unknowns_that_pay);
     if (!is_wanted || first.type != LoadStage::Type::weave || first.friction ||
         mesh.basis == Basis::Lagrange)
       return {};
 
     PlateTestParameters coarser = parameters;
     coarser.load_programme.stages.resize(1);
-    coarser.mesh.coarser_weaving  = CoarserWeaving::automatic;
     coarser.mesh.elements_along   = half(mesh.elements_along, fewest_elements);
     coarser.mesh.elements_across  = half(mesh.elements_across, fewest_elements);
     coarser.mesh.elements_through = half(mesh.elements_through, 1);
@@ -50,9 +54,7 @@ namespace NPT
         coarser.mesh.elements_across == mesh.elements_across)
       return {};
     coarser.mesh.coarser_weaving =
-      coarser.mesh.elements_along > elements_woven_directly ?
-        CoarserWeaving::yes :
-        CoarserWeaving::no;
+      stays_fine(coarser.mesh) ? CoarserWeaving::yes : CoarserWeaving::no;
     return coarser;
   }
 

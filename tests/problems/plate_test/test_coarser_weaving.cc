@@ -107,4 +107,12 @@ TEST_CASE("From 10,000 unknowns on the program weaves on a coarser mesh first",
   CHECK(coarser->mesh.elements_across == 9);
   CHECK(coarser->mesh.elements_through == 2);
   CHECK(coarser->load_programme.stages.size() == 1);
+  CHECK_FALSE(coarser_weaving(*coarser, PlateCell(*coarser)));
+  // Many unknowns because of many bundles: the coarser mesh would have few
+  // contact nodes per crossing, and with them several states.
+  const PlateTestParameters satin =
+    parameters("automatic", {"Cell/Weave=5-harness satin"}, {{7, 7, 2}});
+  const PlateCell satin_cell(satin);
+  CHECK(satin_cell.macro().n_unknowns() > 10000);
+  CHECK_FALSE(coarser_weaving(satin, satin_cell));
 }

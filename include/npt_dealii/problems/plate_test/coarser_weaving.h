@@ -21,8 +21,12 @@ namespace NPT
    * - From how many unknowns on it pays: the coarser test takes an eighth of
    *   the cells and about all of the iterations.
    *
-   * The coarser test does the same unless it has few elements, so that a fine
-   * mesh is reached by several levels (nested iteration).
+   * - With few contact nodes per crossing several states are in equilibrium,
+   * and the coarser mesh would choose one. So the program by itself goes down
+   * to 7 elements along and across at least, whatever the number of bundles.
+   *
+   * The coarser test follows the last rule, so that a fine mesh is reached by
+   * several levels (nested iteration).
    */
   std::optional<PlateTestParameters>
   coarser_weaving(const PlateTestParameters &parameters, const PlateCell &cell);
