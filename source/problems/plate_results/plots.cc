@@ -294,16 +294,14 @@ namespace NPT
 
 
 
-  std::string
-  plot_curves(const std::string &folder, const std::vector<PlotSpec> &plots)
+  bool
+  write_curves_script(const std::string &folder)
   {
     const std::vector<PlotSpec> panels =
-      (plots.empty() ? default_plots(read_curves(folder + "/curves.csv")) :
-                       plots);
+      default_plots(read_curves(folder + "/curves.csv"));
     if (panels.empty())
-      return "There are no curves to draw: no stage has two load steps.";
-
+      return false;
     write_plot_script(folder + "/curves.gp", "curves.csv", "curves", panels);
-    return run_gnuplot(folder + "/curves.gp");
+    return true;
   }
 } // namespace NPT

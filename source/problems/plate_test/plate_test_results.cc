@@ -313,7 +313,7 @@ namespace NPT
                            make_picture_surfaces(cell.fabric(),
                                                  space,
                                                  picture));
-        cell_scripts_.push_back(name + ".gp");
+        scripts_.push_back(name + ".gp");
       }
     catch (const dealii::ExceptionBase &failure) // of replace_file()
       {
@@ -356,15 +356,24 @@ namespace NPT
 
 
   void
-  PlateTestResults::draw_cells()
+  PlateTestResults::draw_pictures()
   {
-    if (cell_scripts_.empty())
-      return;
     TimerOutput::Scope timer(timer_, "Output");
-    const std::string  warning = run_gnuplot(directory_, cell_scripts_);
+    if (parameters_.output.picture)
+      {
+        // First, because a script that fails ends gnuplot.
+        if (write_curves_script(directory_))
+          scripts_.insert(scripts_.begin(), "curves.gp");
+        else
+          log_.warning(
+            "There are no curves to draw: no stage has two load steps.");
+      }
+    if (scripts_.empty())
+      return;
+    const std::string warning = run_gnuplot(directory_, scripts_);
     if (!warning.empty())
       log_.warning(warning);
-    cell_scripts_.clear();
+    scripts_.clear();
   }
 
 
@@ -392,14 +401,7 @@ namespace NPT
     const double gigabytes = ranks.sum(1e-6 * memory.VmHWM);
     if (directory_.empty())
       return;
-    draw_cells();
-    if (parameters_.output.picture)
-      {
-        TimerOutput::Scope timer(timer_, "Output");
-        const std::string  warning = plot_curves(directory_);
-        if (!warning.empty())
-          log_.warning(warning);
-      }
+    draw_pictures();
     log_.line("Linear solver: " + linear_solver.description());
     log_.line("Factorizations: " + std::to_string(linear_solver.n_numeric()) +
               " (" + std::to_string(linear_solver.n_symbolic()) +

@@ -62,14 +62,13 @@ namespace NPT
                     const std::vector<PlotSpec> &plots);
 
   /**
-   * Draw the curves.csv of an output folder: writes curves.gp, curves.svg and
-   * curves.png there. Panels by default_plots() if @p plots is empty.
+   * Write curves.gp, which draws the curves.csv of an output folder with the
+   * panels of default_plots(), into that folder.
    *
-   * @return Empty, or a warning of one line.
+   * @return false, and no file, if no stage has two load steps.
    */
-  std::string
-  plot_curves(const std::string           &folder,
-              const std::vector<PlotSpec> &plots = std::vector<PlotSpec>());
+  bool
+  write_curves_script(const std::string &folder);
 } // namespace NPT
 
 #endif

@@ -61,7 +61,7 @@ namespace NPT
              const LoadStage                     &stage,
              const AcceptedStep                  &step,
              const std::vector<dealii::Point<3>> &woven);
-    /// Script and points of the picture of the deformed cell; draw_cells()
+    /// Script and points of the picture of the deformed cell; draw_pictures()
     /// draws them all. What goes wrong is a warning in the log.
     void
     end_stage(const PlateCell                     &cell,
@@ -101,8 +101,10 @@ namespace NPT
                   const LoadStage                     &stage,
                   const State                         &state,
                   const std::vector<dealii::Point<3>> &woven);
+    /// All pictures by one gnuplot; to start it takes half as long as a simple
+    /// picture.
     void
-    draw_cells();
+    draw_pictures();
     void
     warn_of_penetration();
     void
@@ -120,7 +122,7 @@ namespace NPT
     std::vector<CurveRow>                       curve_;
     std::unique_ptr<CurveWriter>                curve_writer_;
     std::vector<std::pair<double, std::string>> bundle_files_, contact_files_;
-    std::vector<std::string>                    cell_scripts_;
+    std::vector<std::string>                    scripts_;
     double                                      stages_done_ = 0;
     // Of the last accepted step, if its fields may still be wanted.
     std::vector<ContactEvaluation<3>> last_contact_;
