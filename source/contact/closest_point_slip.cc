@@ -58,12 +58,13 @@ namespace NPT
   {
     slip   = {};
     metric = {};
-    for (const auto &entry : view.geometry.averaging.nodes()[I].entries)
+    for (const auto &entry :
+         view.geometry.friction_averaging.nodes()[I].entries)
       {
         const ClosestPoint<dim> &c = view.evaluation.closest[entry.point];
         if (!view.step.reach.has(entry.point))
           continue;
-        const double A = view.step.reach.weight(I, entry);
+        const double A = view.step.reach.friction_weight(I, entry);
         for (int a = 0; a < m; ++a)
           for (int b = a; b < m; ++b)
             metric[SymmetricIndices<m>::second(a, b)] += A * (c.a[a] * c.a[b]);

@@ -99,19 +99,23 @@ namespace NPT
   void
   ContactPair<dim>::set_reach_of_nodes(ContactReach &reach) const
   {
-    reach.of_node.assign(n_nodes(), 1.);
-    for (unsigned int I = 0; I < n_nodes(); ++I)
-      {
-        bool   all = true;
-        double sum = 0;
-        for (const auto &entry : geometry_.averaging.nodes()[I].entries)
-          {
-            all = all && reach.of_point[entry.point] == 1.;
-            sum += entry.weight * reach.of_point[entry.point];
-          }
-        if (!all) // otherwise one, without round-off
-          reach.of_node[I] = sum;
-      }
+    const auto set = [&](const Averaging &averaging, std::vector<double> &of) {
+      of.assign(averaging.nodes().size(), 1.);
+      for (unsigned int I = 0; I < of.size(); ++I)
+        {
+          bool   all = true;
+          double sum = 0;
+          for (const auto &entry : averaging.nodes()[I].entries)
+            {
+              all = all && reach.of_point[entry.point] == 1.;
+              sum += entry.weight * reach.of_point[entry.point];
+            }
+          if (!all) // otherwise one, without round-off
+            of[I] = sum;
+        }
+    };
+    set(geometry_.averaging, reach.of_node);
+    set(geometry_.friction_averaging, reach.of_friction_node);
   }
 
 
@@ -282,48 +286,96 @@ namespace NPT
     state.pressure = normal.pressure;
     state.slope    = normal.slope;
     state.energy   = normal.energy;
-
-    const SlipMeasure<dim> *slip_measure = measure(step.friction_on);
-    if (!state.active || slip_measure == nullptr)
-      return;
-    typename SlipMeasure<dim>::Metric metric;
-    slip_measure->evaluate_node(view, I, state.slip, metric);
-    state.friction = (*friction_law_)(step.traction_multiplier[I],
-                                      state.slip,
-                                      metric,
-                                      -state.pressure,
-                                      step.penalty_scale);
-    state.slipping = state.friction.slipping;
   }
 
 
 
   template <int dim>
   void
-  ContactPair<dim>::load_points(const ContactStep<dim> &step,
-                                const unsigned int      I,
-                                ContactEvaluation<dim> &evaluation) const
+  ContactPair<dim>::set_friction_pressures(
+    ContactEvaluation<dim> &evaluation) const
   {
-    const ContactView<dim>  view{geometry_, step, evaluation};
-    const SlipMeasure<dim> *slip_measure = measure(step.friction_on);
-    const auto             &node         = geometry_.averaging.nodes()[I];
-    const NodeState<dim>   &state        = evaluation.nodes[I];
-    const double            W            = weight(step.reach, I);
+    evaluation.friction.assign(n_friction_nodes(), FrictionState<dim>());
+    if (!evaluation.friction_on)
+      return;
+    for (unsigned int I = 0; I < n_nodes(); ++I)
+      if (evaluation.nodes[I].active)
+        {
+          const double pressure = -evaluation.nodes[I].pressure;
+          if (!friction_at_points_)
+            evaluation.friction[I].pressure = pressure;
+          else // (A24): |p|_q = sum_I R^I_q |p|^I, with R = A_Iq W_I / w_q
+            for (const auto &entry : geometry_.averaging.nodes()[I].entries)
+              if (evaluation.reach.has(entry.point))
+                evaluation.friction[entry.point].pressure +=
+                  entry.weight * geometry_.averaging.nodes()[I].area /
+                  geometry_.points[entry.point].area * pressure;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::evaluate_friction(const ContactView<dim> &view,
+                                      const unsigned int      J,
+                                      FrictionState<dim>     &state) const
+  {
+    const ContactStep<dim>           &step = view.step;
+    typename SlipMeasure<dim>::Metric metric;
+    slip_measure_->evaluate_node(view, J, state.slip, metric);
+    state.response = (*friction_law_)(step.traction_multiplier[J],
+                                      state.slip,
+                                      metric,
+                                      state.pressure,
+                                      step.penalty_scale);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::load_points_by_pressure(
+    const ContactStep<dim> &step,
+    const unsigned int      I,
+    ContactEvaluation<dim> &evaluation) const
+  {
+    const NodeState<dim> &state = evaluation.nodes[I];
+    const double          W     = weight(step.reach, I);
     if (!state.active || !(W > 0.))
       return;
-    for (const auto &entry : node.entries)
+    for (const auto &entry : geometry_.averaging.nodes()[I].entries)
       if (step.reach.has(entry.point))
         {
           const double A                       = step.reach.weight(I, entry);
           evaluation.point_loaded[entry.point] = true;
           evaluation.point_pressure[entry.point] += W * A * state.pressure;
-          // What acts must be what was averaged.
-          if (slip_measure == nullptr ||
-              !slip_measure->has_slip(view, entry.point))
-            continue;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::load_points_by_friction(
+    const ContactStep<dim> &step,
+    const unsigned int      J,
+    ContactEvaluation<dim> &evaluation) const
+  {
+    const ContactView<dim>    view{geometry_, step, evaluation};
+    const FrictionState<dim> &state = evaluation.friction[J];
+    const double              W     = friction_weight(step.reach, J);
+    if (!state.active() || !(W > 0.))
+      return;
+    // What acts must be what was averaged.
+    for (const auto &entry : geometry_.friction_averaging.nodes()[J].entries)
+      if (slip_measure_->has_slip(view, entry.point))
+        {
+          const double A = step.reach.friction_weight(J, entry);
+          evaluation.point_loaded[entry.point] = true;
           for (int a = 0; a < m; ++a)
             evaluation.point_traction[entry.point][a] +=
-              W * A * state.friction.traction[a];
+              W * A * state.response.traction[a];
         }
   }
 
@@ -361,8 +413,16 @@ namespace NPT
     for (unsigned int I = 0; I < n_nodes(); ++I)
       {
         evaluate_node(view, I, evaluation.nodes[I]);
-        load_points(step, I, evaluation);
+        load_points_by_pressure(step, I, evaluation);
       }
+    set_friction_pressures(evaluation);
+    if (slip_measure != nullptr)
+      for (unsigned int J = 0; J < n_friction_nodes(); ++J)
+        if (evaluation.friction[J].active())
+          {
+            evaluate_friction(view, J, evaluation.friction[J]);
+            load_points_by_friction(step, J, evaluation);
+          }
     evaluation.serial = step.serial;
   }
 
@@ -379,10 +439,9 @@ namespace NPT
     assert_belongs(step, evaluation);
     step.penalty_scale *= growth;
     for (unsigned int I = 0; I < n_nodes(); ++I)
-      {
-        step.multiplier[I]          = evaluation.nodes[I].pressure;
-        step.traction_multiplier[I] = evaluation.nodes[I].friction.traction;
-      }
+      step.multiplier[I] = evaluation.nodes[I].pressure;
+    for (unsigned int J = 0; J < n_friction_nodes(); ++J)
+      step.traction_multiplier[J] = evaluation.friction[J].response.traction;
     step.serial = new_serial();
   }
 

@@ -29,7 +29,7 @@ namespace NPT
           value[1]    = -nodes[I].pressure;
           if (!nodes[I].active)
             continue;
-          value[6]            = nodes[I].slipping ? 2. : 1.;
+          value[6]            = contact.slips(evaluation, I) ? 2. : 1.;
           const auto traction = contact.friction_traction(evaluation, I);
           for (unsigned int i = 0; i < 3; ++i)
             value[2 + i] = traction[i];

@@ -21,16 +21,23 @@ namespace NPT
     make_geometry(const ContactSurface<dim>              &secondary,
                   const std::vector<ContactSurface<dim>> &primaries,
                   const ContactParameters                &contact,
+                  const FrictionParameters               &friction,
                   const double                            thickness)
     {
       const auto points =
         secondary.surface().quadrature(contact.n_quadrature_points);
+      const auto averaging = [&](const bool at_points) {
+        return at_points ||
+                   contact.method != ContactParameters::Method::mortar ?
+                 Averaging::pointwise<dim>(points) :
+                 Averaging::mortar<dim>(secondary.surface(), points);
+      };
       return {secondary,
               primaries,
               points,
-              contact.method == ContactParameters::Method::mortar ?
-                Averaging::mortar<dim>(secondary.surface(), points) :
-                Averaging::pointwise<dim>(points),
+              averaging(false),
+              averaging(friction.nodes ==
+                        FrictionParameters::Nodes::Gauss_points),
               contact.maximum_penetration * thickness,
               thickness};
     }
@@ -46,8 +53,12 @@ namespace NPT
     const FrictionParameters               &friction,
     const double                            thickness,
     const SymmetryWeight                   &symmetry_weight)
-    : geometry_(make_geometry(secondary, primaries, contact, thickness))
+    : geometry_(
+        make_geometry(secondary, primaries, contact, friction, thickness))
     , nodes_are_points_(contact.method != ContactParameters::Method::mortar)
+    , friction_at_points_(!nodes_are_points_ &&
+                          friction.nodes ==
+                            FrictionParameters::Nodes::Gauss_points)
     , augmented_(contact.augmented())
     , normal_law_(Registry<NamedNormalLaw>::instance()
                     .get(contact.normal_law)
@@ -59,13 +70,30 @@ namespace NPT
                       .get(friction.slip_measure)
                       .make())
   {
-    for (const auto &node : geometry_.averaging.nodes())
-      symmetry_weight_.push_back(
-        symmetry_weight ?
-          symmetry_weight(nodes_are_points_ ?
-                            geometry_.points[node.label].X :
-                            secondary.reference_position(node.label)) :
-          1);
+    const auto weights_of = [&](const Averaging &averaging,
+                                const bool       nodes_are_points) {
+      std::vector<unsigned int> weights;
+      for (const auto &node : averaging.nodes())
+        weights.push_back(
+          symmetry_weight ?
+            symmetry_weight(nodes_are_points ?
+                              geometry_.points[node.label].X :
+                              secondary.reference_position(node.label)) :
+            1);
+      return weights;
+    };
+    symmetry_weight_ = weights_of(geometry_.averaging, nodes_are_points_);
+    friction_symmetry_weight_ =
+      weights_of(geometry_.friction_averaging,
+                 nodes_are_points_ || friction_at_points_);
+    if (friction_at_points_)
+      for (const auto &node : geometry_.averaging.nodes())
+        bears_friction_.push_back(
+          std::any_of(node.entries.begin(),
+                      node.entries.end(),
+                      [&](const Averaging::Entry &entry) {
+                        return friction_symmetry_weight_[entry.point] > 0;
+                      }));
   }
 
 
@@ -75,7 +103,7 @@ namespace NPT
   ContactPair<dim>::assert_sizes(const ContactState<dim> &state) const
   {
     (void)state;
-    AssertDimension(state.traction.size(), n_nodes());
+    AssertDimension(state.traction.size(), n_friction_nodes());
     AssertDimension(state.multiplier.size(), n_nodes());
     AssertDimension(state.closest.size(), geometry_.points.size());
   }
@@ -96,6 +124,7 @@ namespace NPT
              "This evaluation is not of this load step, or the step was "
              "augmented after it. Call ContactPair::evaluate()."));
     AssertDimension(evaluation.nodes.size(), n_nodes());
+    AssertDimension(evaluation.friction.size(), n_friction_nodes());
   }
 
 
@@ -107,7 +136,7 @@ namespace NPT
   ContactPair<dim>::initial_state() const
   {
     ContactState<dim> state;
-    state.traction.assign(n_nodes(), std::array<double, m>{});
+    state.traction.assign(n_friction_nodes(), std::array<double, m>{});
     state.multiplier.assign(n_nodes(), 0.);
     state.closest.resize(geometry_.points.size());
     return state;
@@ -127,7 +156,7 @@ namespace NPT
     ContactState<dim> result = state;
     result.friction_on       = on && friction_law_->exerts_traction();
     if (!result.friction_on || !state.friction_on)
-      result.traction.assign(n_nodes(), std::array<double, m>{});
+      result.traction.assign(n_friction_nodes(), std::array<double, m>{});
     return result;
   }
 
@@ -159,13 +188,11 @@ namespace NPT
     ContactState<dim> state;
     state.friction_on = step.friction_on;
     state.multiplier  = step.multiplier;
-    state.traction.resize(n_nodes());
-    for (unsigned int I = 0; I < n_nodes(); ++I)
-      {
-        state.traction[I] = evaluation.nodes[I].friction.traction;
-        if (augmented_)
-          state.multiplier[I] = evaluation.nodes[I].pressure;
-      }
+    if (augmented_)
+      for (unsigned int I = 0; I < n_nodes(); ++I)
+        state.multiplier[I] = evaluation.nodes[I].pressure;
+    for (const FrictionState<dim> &friction : evaluation.friction)
+      state.traction.push_back(friction.response.traction);
     state.closest.resize(geometry_.points.size());
     for (unsigned int q = 0; q < state.closest.size(); ++q)
       {
@@ -200,13 +227,19 @@ namespace NPT
         result.gap = std::max(result.gap,
                               std::abs(state.pressure - step.multiplier[I]) /
                                 (step.penalty_scale * normal_law_->penalty()));
-        if (slip_measure == nullptr || !state.active)
+      }
+    if (slip_measure == nullptr)
+      return result;
+    for (unsigned int J = 0; J < n_friction_nodes(); ++J)
+      {
+        const FrictionState<dim> &state = evaluation.friction[J];
+        if (friction_symmetry_weight_[J] == 0 || !state.active())
           continue;
         // |t - lambda|^2 = (t - lambda)_a a^{ab} (t - lambda)_b.
         const auto metric =
-          slip_measure->traction_metric({geometry_, step, evaluation}, I);
-        const auto &t      = state.friction.traction;
-        const auto &lambda = step.traction_multiplier[I];
+          slip_measure->traction_metric({geometry_, step, evaluation}, J);
+        const auto &t      = state.response.traction;
+        const auto &lambda = step.traction_multiplier[J];
         double      square = 0;
         for (int a = 0; a < m; ++a)
           for (int b = 0; b < m; ++b)
@@ -257,12 +290,16 @@ namespace NPT
           continue;
         result.n_active += k;
         if (evaluation.friction_on)
-          {
-            (state.slipping ? result.n_slip : result.n_stick) += k;
-            result.friction_energy += W * state.friction.energy;
-            result.dissipation += W * state.friction.dissipation;
-          }
+          (slips(evaluation, I) ? result.n_slip : result.n_stick) += k;
       }
+    if (evaluation.friction_on)
+      for (unsigned int J = 0; J < n_friction_nodes(); ++J)
+        {
+          const FrictionResponse<m> &friction = evaluation.friction[J].response;
+          const double               W = friction_weight(evaluation.reach, J);
+          result.friction_energy += W * friction.energy;
+          result.dissipation += W * friction.dissipation;
+        }
     // Depth is that of points: a mean over a control point may be open where
     // a corner of the other body is deep inside.
     for (unsigned int q = 0; q < evaluation.closest.size(); ++q)
@@ -275,15 +312,69 @@ namespace NPT
 
 
   template <int dim>
+  bool
+  ContactPair<dim>::slips(const ContactEvaluation<dim> &evaluation,
+                          const unsigned int            I) const
+  {
+    if (!friction_at_points_)
+      return evaluation.friction[I].response.slipping;
+    double slipping = 0, all = 0;
+    for (const auto &entry : geometry_.averaging.nodes()[I].entries)
+      {
+        const FrictionState<dim> &state = evaluation.friction[entry.point];
+        all += entry.weight * state.pressure;
+        if (state.response.slipping)
+          slipping += entry.weight * state.pressure;
+      }
+    return slipping > 0.5 * all;
+  }
+
+
+
+  template <int dim>
+  template <typename Vectors>
+  Tensor<1, dim>
+  ContactPair<dim>::mean_at_node(const ContactEvaluation<dim> &evaluation,
+                                 const unsigned int            I,
+                                 const Vectors                &vector_at) const
+  {
+    AssertIndexRange(I, evaluation.nodes.size());
+    if (measure(evaluation.friction_on) == nullptr ||
+        !evaluation.nodes[I].active)
+      return Tensor<1, dim>();
+    if (!friction_at_points_)
+      return vector_at(I);
+    Tensor<1, dim> mean;
+    for (const auto &entry : geometry_.averaging.nodes()[I].entries)
+      if (evaluation.reach.has(entry.point))
+        mean += evaluation.reach.weight(I, entry) * vector_at(entry.point);
+    return mean;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  ContactPair<dim>::traction_of_friction_node(
+    const ContactEvaluation<dim> &evaluation,
+    const unsigned int            J) const
+  {
+    AssertIndexRange(J, evaluation.friction.size());
+    return evaluation.friction[J].active() ?
+             slip_measure_->traction_vector(geometry_, evaluation, J) :
+             Tensor<1, dim>();
+  }
+
+
+
+  template <int dim>
   Tensor<1, dim>
   ContactPair<dim>::friction_traction(const ContactEvaluation<dim> &evaluation,
                                       const unsigned int            I) const
   {
-    AssertIndexRange(I, evaluation.nodes.size());
-    const SlipMeasure<dim> *slip_measure = measure(evaluation.friction_on);
-    return slip_measure == nullptr || !evaluation.nodes[I].active ?
-             Tensor<1, dim>() :
-             slip_measure->traction_vector(geometry_, evaluation, I);
+    return mean_at_node(evaluation, I, [&](const unsigned int J) {
+      return slip_measure_->traction_vector(geometry_, evaluation, J);
+    });
   }
 
 
@@ -293,11 +384,9 @@ namespace NPT
   ContactPair<dim>::slip_increment(const ContactEvaluation<dim> &evaluation,
                                    const unsigned int            I) const
   {
-    AssertIndexRange(I, evaluation.nodes.size());
-    const SlipMeasure<dim> *slip_measure = measure(evaluation.friction_on);
-    return slip_measure == nullptr || !evaluation.nodes[I].active ?
-             Tensor<1, dim>() :
-             slip_measure->slip_vector(geometry_, evaluation, I);
+    return mean_at_node(evaluation, I, [&](const unsigned int J) {
+      return slip_measure_->slip_vector(geometry_, evaluation, J);
+    });
   }
 
   template class ContactPair<2>;

@@ -36,6 +36,19 @@ namespace NPT
 
 
 
+  template <>
+  const EnumNames<FrictionParameters::Nodes> &
+  enum_names<FrictionParameters::Nodes>()
+  {
+    using Nodes                         = FrictionParameters::Nodes;
+    static const EnumNames<Nodes> names = {
+      {Nodes::contact_nodes, "contact nodes"},
+      {Nodes::Gauss_points, "Gauss points"}};
+    return names;
+  }
+
+
+
   namespace
   {
     /// "NAME: TEXT. NAME: TEXT." of all that is registered.
@@ -203,6 +216,16 @@ namespace NPT
       "Penalty epsilon_T of Eq. (24) [N/mm^3]: traction per elastic slip "
       "while sticking.",
       positive_number());
+    add_parameter(
+      prm,
+      "Nodes",
+      nodes,
+      "Where the law is posed. contact nodes: to the slip averaged as the gap "
+      "is, Eqs. (41), (42) of the paper; Method mortar then misses a spin of "
+      "the surfaces within the support of a control point. Gauss points: to "
+      "the slip of each, with the pressure that the mortar method finds there, "
+      "(A24) of doc/theory.md. The same for Method KTS, whose contact nodes "
+      "are Gauss points.");
     add_parameter(prm,
                   "Slip measure",
                   slip_measure,

@@ -210,48 +210,111 @@ namespace NPT
 
 
 
-  template <int dim>
-  void
-  ContactPair<dim>::add_first_variations(const ContactView<dim> &view,
-                                         const unsigned int      I,
-                                         const Variations<dim>  &variations,
-                                         std::vector<double>    &block) const
+  namespace
   {
-    const NodeState<dim> &state = view.evaluation.nodes[I];
-    const double          W     = weight(view.step.reach, I);
-    const auto           &rows  = variations.rows;
-    const unsigned int    n     = rows[0].size();
-    std::vector<double>   right(n);
-    const auto            add_product = [&](const std::vector<double> &left) {
+    // block += factor left (x) right
+    void
+    add_product(const double               factor,
+                const std::vector<double> &left,
+                const std::vector<double> &right,
+                std::vector<double>       &block)
+    {
+      const unsigned int n = right.size();
       for (unsigned int k = 0; k < n; ++k)
         {
           double      *target = &block[k * n];
-          const double factor = W * left[k];
+          const double scale  = factor * left[k];
           for (unsigned int l = 0; l < n; ++l)
-            target[l] += factor * right[l];
+            target[l] += scale * right[l];
         }
-    };
+    }
+  } // namespace
 
-    for (unsigned int k = 0; k < n; ++k)
-      right[k] = state.slope * rows[0][k];
-    add_product(rows[0]);
-    const SlipMeasure<dim> *slip_measure = measure(view.step.friction_on);
-    if (slip_measure == nullptr)
-      return;
-    const unsigned int n_metrics = slip_measure->n_varying_metrics();
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::add_normal_product(const ContactView<dim>    &view,
+                                       const unsigned int         I,
+                                       const std::vector<double> &gap_row,
+                                       std::vector<double>       &block) const
+  {
+    add_product(weight(view.step.reach, I) * view.evaluation.nodes[I].slope,
+                gap_row,
+                gap_row,
+                block);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::add_friction_products(const ContactView<dim> &view,
+                                          const unsigned int      J,
+                                          const Variations<dim>  &variations,
+                                          std::vector<double>    &block) const
+  {
+    const SlipMeasure<dim>    *slip_measure = measure(view.step.friction_on);
+    const FrictionState<dim>  &state        = view.evaluation.friction[J];
+    const FrictionResponse<m> &friction     = state.response;
+    const auto                &rows         = variations.rows;
+    const unsigned int         n            = rows[0].size();
+    const unsigned int         n_metrics    = slip_measure->n_varying_metrics();
+    std::vector<double>        right(n);
     for (int a = 0; a < m; ++a)
       {
-        // |p| = -p falls where p rises.
-        const double by_gap = -state.friction.by_pressure[a] * state.slope;
+        // |p| = -p falls where p rises. Pressure of a Gauss point comes from
+        // several contact nodes: see average_friction_by_pressure().
+        const double by_gap =
+          friction_at_points_ ?
+            0. :
+            -friction.by_pressure[a] * view.evaluation.nodes[J].slope;
         for (unsigned int k = 0; k < n; ++k)
           {
             right[k] = by_gap * rows[0][k];
             for (int b = 0; b < m; ++b)
-              right[k] += state.friction.by_slip[a][b] * rows[1 + b][k];
+              right[k] += friction.by_slip[a][b] * rows[1 + b][k];
             for (unsigned int c = 0; c < n_metrics; ++c)
-              right[k] += state.friction.by_metric[a][c] * rows[1 + m + c][k];
+              right[k] += friction.by_metric[a][c] * rows[1 + m + c][k];
           }
-        add_product(rows[1 + a]);
+        add_product(friction_weight(view.step.reach, J),
+                    rows[1 + a],
+                    right,
+                    block);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::average_friction_by_pressure(
+    const ContactView<dim>             &view,
+    const unsigned int                  I,
+    const std::vector<Variations<dim>> &of_points,
+    const std::vector<unsigned int>    &slot,
+    std::vector<double>                &row) const
+  {
+    // sum_q W_q R^I_q (dt_a/d|p|)_q delta s^a_q
+    const auto &node = geometry_.averaging.nodes()[I];
+    for (const auto &entry : node.entries)
+      {
+        const unsigned int        q     = entry.point;
+        const FrictionState<dim> &state = view.evaluation.friction[q];
+        const double              share = friction_weight(view.step.reach, q) /
+                             geometry_.points[q].area * entry.weight *
+                             node.area;
+        if (!state.active() || share == 0.)
+          continue;
+        const Variations<dim> &point = of_points[q];
+        for (int a = 0; a < m; ++a)
+          {
+            const double factor = share * state.response.by_pressure[a];
+            for (unsigned int A = 0; A < point.dofs.size(); ++A)
+              for (unsigned int i = 0; i < dim; ++i)
+                row[slot[point.dofs[A]] + i] +=
+                  factor * point.rows[1 + a][A * dim + i];
+          }
       }
   }
 
@@ -282,7 +345,9 @@ namespace NPT
               }
           }
 
-    const unsigned int n_rows = n_variations(view);
+    // Row 1 and on: the slip, or what pressure does to the friction of points.
+    const bool         friction_at_points = at_points(view);
+    const unsigned int n_rows = friction_at_points ? 1 : n_variations(view);
     for (unsigned int r = 0; r < n_rows; ++r)
       average.rows[r].assign(dim * average.dofs.size(), 0.);
     for (const auto &entry : entries)
@@ -296,6 +361,11 @@ namespace NPT
                 average.rows[r][slot[point.dofs[A]] + i] +=
                   weight * point.rows[r][A * dim + i];
         }
+    if (friction_at_points)
+      {
+        average.rows[1].assign(dim * average.dofs.size(), 0.);
+        average_friction_by_pressure(view, I, of_points, slot, average.rows[1]);
+      }
     for (const unsigned int dof : average.dofs)
       slot[dof] = dealii::numbers::invalid_unsigned_int;
   }
@@ -364,7 +434,10 @@ namespace NPT
               add_second_variations(view, q, kinematics, functions, block);
             point_variations(view, q, kinematics, functions, of_points[q]);
             if (nodes_are_points_)
-              add_first_variations(view, q, of_points[q], block);
+              add_normal_product(view, q, of_points[q].rows[0], block);
+            if (is_mine && (nodes_are_points_ || at_points(view)) &&
+                view.step.friction_on && view.evaluation.friction[q].active())
+              add_friction_products(view, q, of_points[q], block);
           }
         if (is_mine)
           add(all_components<dim>(functions.dofs), block);
@@ -387,13 +460,21 @@ namespace NPT
     for (unsigned int I = 0; I < n_nodes(); ++I)
       {
         if (!ranks.has(I) || !view.evaluation.nodes[I].active ||
-            weight(view.step.reach, I) == 0.)
+            !(view.step.reach.of_node[I] > 0.) ||
+            !acts(I, view.step.friction_on))
           continue;
         average_variations(view, I, of_points, slot, average);
         block.assign(dealii::Utilities::fixed_power<2>(dim *
                                                        average.dofs.size()),
                      0.);
-        add_first_variations(view, I, average, block);
+        add_normal_product(view, I, average.rows[0], block);
+        if (at_points(view)) // |p| = -p falls where p rises
+          add_product(-view.evaluation.nodes[I].slope,
+                      average.rows[1],
+                      average.rows[0],
+                      block);
+        else if (view.step.friction_on)
+          add_friction_products(view, I, average, block);
         add(all_components<dim>(average.dofs), block);
       }
   }
@@ -481,7 +562,7 @@ namespace NPT
     for (unsigned int I = 0; I < n_nodes(); ++I)
       {
         const NodeState<dim> &state = evaluation.nodes[I];
-        if (symmetry_weight_[I] == 0 || (!state.active && state.gap > margin))
+        if (!acts(I, step.friction_on) || (!state.active && state.gap > margin))
           continue;
         first.clear();
         for (const auto &entry : geometry_.averaging.nodes()[I].entries)

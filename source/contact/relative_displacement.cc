@@ -42,17 +42,17 @@ namespace NPT
           1., std::max(0., 2. - slip[q].d.norm() / (0.5 * geometry.thickness)));
       }
 
-    const auto &nodes = geometry.averaging.nodes();
+    const auto &nodes = geometry.friction_averaging.nodes();
     step.inverse_metric.resize(nodes.size());
     for (unsigned int I = 0; I < nodes.size(); ++I)
       {
-        if (!(step.reach.of_node[I] > 0.))
+        if (!(step.reach.of_friction_node[I] > 0.))
           continue;
         SurfaceMatrix<m> metric = {};
         for (const auto &entry : nodes[I].entries)
           {
             const auto  &tau = slip[entry.point].tau;
-            const double A   = step.reach.weight(I, entry);
+            const double A   = step.reach.friction_weight(I, entry);
             for (int a = 0; a < m; ++a)
               for (int b = 0; b < m; ++b)
                 metric[a][b] += A * (tau[a] * tau[b]);
@@ -128,10 +128,11 @@ namespace NPT
                                            Metric                 &metric) const
   {
     slip = {};
-    for (const auto &entry : view.geometry.averaging.nodes()[I].entries)
+    for (const auto &entry :
+         view.geometry.friction_averaging.nodes()[I].entries)
       if (has_slip(view, entry.point))
         for (int a = 0; a < m; ++a)
-          slip[a] += view.step.reach.weight(I, entry) *
+          slip[a] += view.step.reach.friction_weight(I, entry) *
                      view.step.references[entry.point].weight *
                      view.evaluation.slip[entry.point].sigma[a];
     metric = view.step.inverse_metric[I];

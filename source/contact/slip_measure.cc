@@ -13,10 +13,11 @@ namespace NPT
                                     const unsigned int      I) const
   {
     SurfaceMatrix<m> metric = {};
-    for (const auto &entry : view.geometry.averaging.nodes()[I].entries)
+    for (const auto &entry :
+         view.geometry.friction_averaging.nodes()[I].entries)
       {
         const auto  &tangent = tangents(view.evaluation, entry.point);
-        const double A       = view.step.reach.weight(I, entry);
+        const double A       = view.step.reach.friction_weight(I, entry);
         for (int a = 0; a < m; ++a)
           for (int b = 0; b < m; ++b)
             metric[a][b] += A * (tangent[a] * tangent[b]);
@@ -35,9 +36,9 @@ namespace NPT
                                    const bool covariant) const
   {
     std::array<Tensor<1, dim>, m> tangent;
-    for (const auto &entry : geometry.averaging.nodes()[I].entries)
+    for (const auto &entry : geometry.friction_averaging.nodes()[I].entries)
       for (int a = 0; a < m; ++a)
-        tangent[a] += evaluation.reach.weight(I, entry) *
+        tangent[a] += evaluation.reach.friction_weight(I, entry) *
                       tangents(evaluation, entry.point)[a];
     SurfaceMatrix<m> metric;
     for (int a = 0; a < m; ++a)
@@ -65,7 +66,7 @@ namespace NPT
     return tangent_vector(geometry,
                           evaluation,
                           I,
-                          evaluation.nodes[I].friction.traction,
+                          evaluation.friction[I].response.traction,
                           traction_is_covariant());
   }
 
@@ -80,7 +81,7 @@ namespace NPT
     return tangent_vector(geometry,
                           evaluation,
                           I,
-                          evaluation.nodes[I].slip,
+                          evaluation.friction[I].slip,
                           !traction_is_covariant());
   }
 

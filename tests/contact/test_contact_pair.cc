@@ -18,11 +18,23 @@ using NPT::FrictionParameters;
 
 namespace
 {
-  ContactParameters
+  // Where gap and slip are posed.
+  struct Conditions : ContactParameters
+  {
+    FrictionParameters::Nodes friction_nodes;
+  };
+
+  const std::string at_points = "mortar, friction at Gauss points";
+
+  Conditions
   contact_parameters(const std::string &method)
   {
-    ContactParameters parameters;
-    parameters.method = NPT::value_of<ContactParameters::Method>(method);
+    Conditions parameters;
+    parameters.method = NPT::value_of<ContactParameters::Method>(
+      method == at_points ? "mortar" : method);
+    parameters.friction_nodes = method == at_points ?
+                                  FrictionParameters::Nodes::Gauss_points :
+                                  FrictionParameters::Nodes::contact_nodes;
     return parameters;
   }
 
@@ -30,9 +42,12 @@ namespace
     {"relative displacement", "closest point"}};
 
   FrictionParameters
-  friction_parameters(const double mu, const std::string &slip_measure)
+  friction_parameters(const double                    mu,
+                      const std::string              &slip_measure,
+                      const FrictionParameters::Nodes nodes)
   {
     FrictionParameters parameters;
+    parameters.nodes        = nodes;
     parameters.coefficient  = mu;
     parameters.slip_measure = slip_measure;
     return parameters;
@@ -52,7 +67,7 @@ namespace
     ContactEvaluation<dim>  evaluation;
 
     Pair(const std::vector<NURBSPatch<dim>>              &patches,
-         const ContactParameters                         &parameters,
+         const Conditions                                &parameters,
          const double                                     mu    = 0.,
          const Basis                                      basis = Basis::NURBS,
          const typename ContactPair<dim>::SymmetryWeight &symmetry_weight = {},
@@ -64,7 +79,9 @@ namespace
       , contact(ContactSurface<dim>(secondary),
                 {rounded(primary)},
                 parameters,
-                friction_parameters(mu, slip_measure),
+                friction_parameters(mu,
+                                    slip_measure,
+                                    parameters.friction_nodes),
                 2. * maximum_penetration, // half the thickness by default
                 symmetry_weight)
       , X(space.control_points())
@@ -359,7 +376,7 @@ namespace
     return difference(Kd, difference_quotient);
   }
 
-  const std::array<std::string, 2> methods = {{"mortar", "KTS"}};
+  const std::array<std::string, 3> methods = {{"mortar", "KTS", at_points}};
 
   template <int dim>
   void
@@ -412,14 +429,17 @@ namespace
     for (auto &v : u)
       v = rotated(pair, v, angle);
     follow(pair, u);
-    const auto summary = pair.summary();
-    INFO(summary.n_stick << " sticking, " << summary.n_slip << " slipping");
+    unsigned int n_stick = 0, n_slip = 0; // friction nodes
+    for (const auto &node : pair.evaluation.friction)
+      if (node.active())
+        ++(node.response.slipping ? n_slip : n_stick);
+    INFO(n_stick << " sticking, " << n_slip << " slipping");
     if (mu == 20.)
-      CHECK((summary.n_stick > 2 && summary.n_slip == 0));
+      CHECK((n_stick > 2 && n_slip == 0));
     else if (mu == 0.002)
-      CHECK((summary.n_slip > 2 && summary.n_stick == 0));
+      CHECK((n_slip > 2 && n_stick == 0));
     else
-      CHECK((summary.n_slip > 0 && summary.n_stick > 0));
+      CHECK((n_slip > 0 && n_stick > 0));
     double traction = 0.;
     for (const auto &t : pair.state.traction)
       traction = std::max(traction, std::abs(t[0]));
@@ -473,7 +493,7 @@ namespace
                  const double       width,
                  const double       depth)
   {
-    ContactParameters parameters   = contact_parameters(method);
+    Conditions parameters          = contact_parameters(method);
     parameters.n_quadrature_points = 40;
     Pair<2>    pair(slab_and_strip(width),
                  parameters,
@@ -844,14 +864,16 @@ TEST_CASE("Both C0 bases give the same pressures on polynomial bodies",
       double error = 0., largest = 0.;
       for (unsigned int I = 0; I < a.evaluation.nodes.size(); ++I)
         {
-          const auto &s = a.evaluation.nodes[I], &t = b.evaluation.nodes[I];
-          error = std::max(
-            {error,
-             std::abs(s.pressure - t.pressure),
-             std::abs(s.friction.traction[0] - t.friction.traction[0]),
-             std::abs(s.friction.traction[1] - t.friction.traction[1])});
-          largest = std::max(largest, -s.pressure);
+          const auto &p = a.evaluation.nodes[I], &q = b.evaluation.nodes[I];
+          error   = std::max(error, std::abs(p.pressure - q.pressure));
+          largest = std::max(largest, -p.pressure);
         }
+      for (unsigned int J = 0; J < a.evaluation.friction.size(); ++J)
+        for (unsigned int i = 0; i < 2; ++i)
+          error =
+            std::max(error,
+                     std::abs(a.evaluation.friction[J].response.traction[i] -
+                              b.evaluation.friction[J].response.traction[i]));
       CHECK(largest > 1.);
       CHECK(error < 1e-10 * largest); // penalty 100 times rounding 1e-13
       const auto fa = a.force(a.residual(), 0), fb = b.force(b.residual(), 0);
@@ -974,10 +996,10 @@ TEST_CASE("Without friction nothing of friction is computed", "[contact]")
       CHECK(never.tangent_times(d).first == off.tangent_times(d).first);
       for (const Pair<3> *pair : {&never, &off})
         {
-          for (const auto &node : pair->evaluation.nodes)
+          for (const auto &node : pair->evaluation.friction)
             {
               CHECK(node.slip == std::array<double, 2>{});
-              CHECK(node.friction.traction == std::array<double, 2>{});
+              CHECK(node.response.traction == std::array<double, 2>{});
             }
           for (const auto &t : pair->state.traction)
             CHECK(t == std::array<double, 2>{});
@@ -990,7 +1012,7 @@ TEST_CASE("Without friction nothing of friction is computed", "[contact]")
       off.state = off.contact.with_friction(off.state, true);
       off.begin_step(path[2]);
       off.evaluate(path[2]);
-      for (const auto &node : off.evaluation.nodes)
+      for (const auto &node : off.evaluation.friction)
         CHECK(std::hypot(node.slip[0], node.slip[1]) < 1e-12);
     }
 }

@@ -22,14 +22,26 @@ namespace NPT
   template <int dim>
   struct NodeState
   {
-    double                      gap      = 0;
-    bool                        active   = false;
-    bool                        slipping = false;
-    double                      pressure = 0; ///< p <= 0
-    double                      slope    = 0;
-    double                      energy   = 0;
+    double gap      = 0;
+    bool   active   = false;
+    double pressure = 0; ///< p <= 0
+    double slope    = 0;
+    double energy   = 0;
+  };
+
+  /// State at a friction node.
+  template <int dim>
+  struct FrictionState
+  {
+    double                      pressure = 0; ///< |p| >= 0 [MPa]
     std::array<double, dim - 1> slip     = {};
-    FrictionResponse<dim - 1>   friction;
+    FrictionResponse<dim - 1>   response;
+
+    bool
+    active() const
+    {
+      return pressure > 0.;
+    }
   };
 
   /**
@@ -41,12 +53,13 @@ namespace NPT
   {
     static constexpr int m = dim - 1;
 
-    bool                           friction_on = false;
-    ContactReach                   reach; ///< that of the step
-    ContactPositions<dim>          positions;
-    std::vector<ClosestPoint<dim>> closest; ///< by Gauss point
-    std::vector<SlipPoint<dim>>    slip;    ///< by Gauss point
-    std::vector<NodeState<dim>>    nodes;
+    bool                            friction_on = false;
+    ContactReach                    reach; ///< that of the step
+    ContactPositions<dim>           positions;
+    std::vector<ClosestPoint<dim>>  closest; ///< by Gauss point
+    std::vector<SlipPoint<dim>>     slip;    ///< by Gauss point
+    std::vector<NodeState<dim>>     nodes;
+    std::vector<FrictionState<dim>> friction; ///< by friction node
     // Sums over the nodes of W_I A_Iq p^I and W_I A_Iq t_a^I at the points.
     std::vector<double>                point_pressure;
     std::vector<std::array<double, m>> point_traction;

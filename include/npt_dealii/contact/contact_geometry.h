@@ -26,6 +26,8 @@ namespace NPT
     std::vector<ContactSurface<dim>>                       primaries;
     std::vector<typename IGASurface<dim>::QuadraturePoint> points;
     Averaging                                              averaging;
+    /// Of the friction nodes: the same, or the Gauss points, (A24).
+    Averaging friction_averaging;
     /// Deeper than this a point cannot be told from one behind the body [mm].
     double maximum_penetration;
     /// Of the thinner body [mm]: the reach beside the end of a surface.
@@ -68,8 +70,9 @@ namespace NPT
    */
   struct ContactReach
   {
-    std::vector<double> of_point; ///< omega_q, by Gauss point
-    std::vector<double> of_node;  ///< s_I = sum_q A_Iq omega_q, by node
+    std::vector<double> of_point;         ///< omega_q, by Gauss point
+    std::vector<double> of_node;          ///< s_I = sum_q A_Iq omega_q, by node
+    std::vector<double> of_friction_node; ///< the same, by friction node
 
     bool
     has(const unsigned int q) const
@@ -82,6 +85,13 @@ namespace NPT
     weight(const unsigned int I, const Averaging::Entry &entry) const
     {
       return entry.weight * of_point[entry.point] / of_node[I];
+    }
+
+    /// Weight of a point in the mean of friction node J.
+    double
+    friction_weight(const unsigned int J, const Averaging::Entry &entry) const
+    {
+      return entry.weight * of_point[entry.point] / of_friction_node[J];
     }
   };
 } // namespace NPT

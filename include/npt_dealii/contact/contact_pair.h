@@ -21,11 +21,12 @@ namespace NPT
    * @f[ C_c = \sum_I W_I \left( p^I \, \delta g^I
    *           + t_a^I \, \delta\xi^{a,I} \right), @f]
    *
-   * with the nodes I of Averaging. The three questions of contact are answered
-   * one after the other: evaluate() finds where the surfaces are and how far
-   * apart (projection, averages) and what the laws answer; add_residual()
-   * and add_tangent() say where the traction acts. The assembled virtual work
-   * is delta W_int + C_c = 0 ((15) misprints the sign).
+   * with the nodes I of Averaging. Friction may have nodes of its own, the
+   * Gauss points, (A24); FrictionParameters::nodes. The three questions of
+   * contact are answered one after the other: evaluate() finds where the
+   * surfaces are and how far apart (projection, averages) and what the laws
+   * answer; add_residual() and add_tangent() say where the traction acts. The
+   * assembled virtual work is delta W_int + C_c = 0 ((15) misprints the sign).
    *
    * A pair never changes; what does are values, made in this order:
    *
@@ -160,6 +161,16 @@ namespace NPT
     ContactSummary
     summary(const ContactEvaluation<dim> &evaluation) const;
 
+    /// Does an active node slip? With friction at Gauss points: do those that
+    /// bear more than half of its pressure?
+    bool
+    slips(const ContactEvaluation<dim> &evaluation, const unsigned int I) const;
+
+    /// Friction traction of a friction node, as friction_traction().
+    dealii::Tensor<1, dim>
+    traction_of_friction_node(const ContactEvaluation<dim> &evaluation,
+                              const unsigned int            J) const;
+
     /// Friction traction of node I on the secondary side, as a vector [MPa].
     dealii::Tensor<1, dim>
     friction_traction(const ContactEvaluation<dim> &evaluation,
@@ -175,10 +186,20 @@ namespace NPT
     {
       return geometry_.averaging.nodes().size();
     }
+    unsigned int
+    n_friction_nodes() const
+    {
+      return geometry_.friction_averaging.nodes().size();
+    }
     const Averaging &
     averaging() const
     {
       return geometry_.averaging;
+    }
+    const Averaging &
+    friction_averaging() const
+    {
+      return geometry_.friction_averaging;
     }
     const ContactSurface<dim> &
     secondary() const
@@ -212,6 +233,33 @@ namespace NPT
       return symmetry_weight_[I] * geometry_.averaging.nodes()[I].area *
              reach.of_node[I];
     }
+    double
+    friction_weight(const ContactReach &reach, const unsigned int J) const
+    {
+      return friction_symmetry_weight_[J] *
+             geometry_.friction_averaging.nodes()[J].area *
+             reach.of_friction_node[J];
+    }
+    // Friction acts, and at Gauss points that are not the contact nodes.
+    bool
+    at_points(const ContactView<dim> &view) const
+    {
+      return friction_at_points_ && view.step.friction_on;
+    }
+    // Does the node take part in the virtual work: by itself, or by the
+    // friction of one of its points?
+    bool
+    acts(const unsigned int I, const bool friction_on) const
+    {
+      return symmetry_weight_[I] > 0 ||
+             (friction_on && friction_at_points_ && bears_friction_[I]);
+    }
+    // Mean over a contact node of vectors at the friction nodes.
+    template <typename Vectors>
+    dealii::Tensor<1, dim>
+    mean_at_node(const ContactEvaluation<dim> &evaluation,
+                 const unsigned int            I,
+                 const Vectors                &vector_at) const;
 
     // Where are the surfaces, and how far? (contact_evaluation.cc)
     ClosestPoint<dim>
@@ -242,9 +290,19 @@ namespace NPT
                   const unsigned int      I,
                   NodeState<dim>         &state) const;
     void
-    load_points(const ContactStep<dim> &step,
-                const unsigned int      I,
-                ContactEvaluation<dim> &evaluation) const;
+    evaluate_friction(const ContactView<dim> &view,
+                      const unsigned int      J,
+                      FrictionState<dim>     &state) const;
+    void
+    set_friction_pressures(ContactEvaluation<dim> &evaluation) const;
+    void
+    load_points_by_pressure(const ContactStep<dim> &step,
+                            const unsigned int      I,
+                            ContactEvaluation<dim> &evaluation) const;
+    void
+    load_points_by_friction(const ContactStep<dim> &step,
+                            const unsigned int      J,
+                            ContactEvaluation<dim> &evaluation) const;
 
     // Where does the traction act? (contact_virtual_work.cc)
     void
@@ -275,10 +333,23 @@ namespace NPT
                           const PointFunctions<dim>    &functions,
                           std::vector<double>          &block) const;
     void
-    add_first_variations(const ContactView<dim> &view,
-                         const unsigned int      I,
-                         const Variations<dim>  &variations,
-                         std::vector<double>    &block) const;
+    add_normal_product(const ContactView<dim>    &view,
+                       const unsigned int         I,
+                       const std::vector<double> &gap_row,
+                       std::vector<double>       &block) const;
+    void
+    add_friction_products(const ContactView<dim> &view,
+                          const unsigned int      J,
+                          const Variations<dim>  &variations,
+                          std::vector<double>    &block) const;
+    // Friction at points: what the pressure of a contact node does to the
+    // friction of its points.
+    void
+    average_friction_by_pressure(const ContactView<dim>             &view,
+                                 const unsigned int                  I,
+                                 const std::vector<Variations<dim>> &of_points,
+                                 const std::vector<unsigned int>    &slot,
+                                 std::vector<double>                &row) const;
     // Loaded points that share all their functions.
     std::vector<std::vector<unsigned int>>
     groups_of_points(const ContactView<dim> &view) const;
@@ -296,11 +367,14 @@ namespace NPT
 
     const ContactGeometry<dim>                    geometry_;
     const bool                                    nodes_are_points_;
+    const bool                                    friction_at_points_;
     const bool                                    augmented_;
     const std::unique_ptr<const NormalLaw>        normal_law_;
     const std::unique_ptr<const FrictionLaw<m>>   friction_law_;
     const std::unique_ptr<const SlipMeasure<dim>> slip_measure_;
     std::vector<unsigned int>                     symmetry_weight_; // by node
+    std::vector<unsigned int> friction_symmetry_weight_; // by friction node
+    std::vector<bool>         bears_friction_; // by node, friction at points
   };
 } // namespace NPT
 

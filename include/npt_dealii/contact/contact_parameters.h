@@ -86,6 +86,13 @@ namespace NPT
     OwnValues law_numbers;
     double    coefficient        = 0.3;  ///< mu [-]
     double    tangential_penalty = 100.; ///< epsilon_T [N/mm^3]
+    /// Where Coulomb's law is posed; only Method::mortar has a choice.
+    enum class Nodes
+    {
+      contact_nodes, ///< slip averaged as the gap is, (41), (42)
+      Gauss_points   ///< with the interpolated pressure, (A24)
+    };
+    Nodes nodes = Nodes::Gauss_points;
     /// A name of Registry<NamedSlipMeasure<3>>.
     std::string slip_measure = "relative displacement";
 
@@ -93,6 +100,10 @@ namespace NPT
     void
     add_parameters(dealii::ParameterHandler &prm);
   };
+
+  template <>
+  const EnumNames<FrictionParameters::Nodes> &
+  enum_names<FrictionParameters::Nodes>();
 } // namespace NPT
 
 #endif

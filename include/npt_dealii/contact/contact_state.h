@@ -18,7 +18,7 @@ namespace NPT
   {
     /// Friction acts, and its history has begun.
     bool friction_on = false;
-    /// Friction traction of every contact node in the components of the slip
+    /// Friction traction of every friction node in the components of the slip
     /// measure: t^a_n on the tangents of the secondary surface or t_{a,n} on
     /// those of the primary one.
     std::vector<std::array<double, dim - 1>> traction;

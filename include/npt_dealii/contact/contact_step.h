@@ -41,10 +41,10 @@ namespace NPT
     std::vector<bool>                 behind;     ///< see ContactState
     std::vector<SlipReference<dim>>   references; ///< by Gauss point
     /// Inverse of the averaged metric of the secondary surface in the accepted
-    /// state, by node: m^{11}, m^{12}, m^{22} of (A16).
+    /// state, by friction node: m^{11}, m^{12}, m^{22} of (A16).
     std::vector<std::array<double, SymmetricIndices<m>::n_second>>
       inverse_metric;
-    /// Multipliers of the present repetition, by node.
+    /// Multipliers of the present repetition, by contact and friction node.
     std::vector<double>                multiplier;
     std::vector<std::array<double, m>> traction_multiplier;
     double                             penalty_scale = 1.;

@@ -39,16 +39,19 @@ namespace NPT
         const auto &node  = contact_.averaging().nodes()[I];
         if (!state.active)
           continue;
+        for (const auto &entry : node.entries) // times R^I at the point
+          result[entry.point].pressure -= node.area * entry.weight /
+                                          points[entry.point].area *
+                                          state.pressure;
+      }
+    for (unsigned int J = 0; J < contact_.n_friction_nodes(); ++J)
+      {
+        const auto        &node = contact_.friction_averaging().nodes()[J];
         const Tensor<1, 3> traction =
-          contact_.friction_traction(evaluation_, I);
+          contact_.traction_of_friction_node(evaluation_, J);
         for (const auto &entry : node.entries)
-          {
-            // R^I at the point.
-            const double value =
-              node.area * entry.weight / points[entry.point].area;
-            result[entry.point].pressure -= value * state.pressure;
-            result[entry.point].traction += value * traction;
-          }
+          result[entry.point].traction +=
+            node.area * entry.weight / points[entry.point].area * traction;
       }
     for (unsigned int q = 0; q < points.size(); ++q)
       {
@@ -73,18 +76,19 @@ namespace NPT
   double
   ContactResults::stick_radius(const bool in_plane) const
   {
-    // Between the outermost sticking and the innermost slipping node.
+    // Between the outermost sticking and the innermost slipping friction node.
     double outermost = 0, innermost = std::numeric_limits<double>::max();
-    for (unsigned int I = 0; I < contact_.n_nodes(); ++I)
+    for (unsigned int J = 0; J < contact_.n_friction_nodes(); ++J)
       {
-        const auto &state = evaluation_.nodes[I];
-        if (!state.active)
+        const auto &state = evaluation_.friction[J];
+        if (!state.active())
           continue;
         Tensor<1, 3> x;
-        for (const auto &entry : contact_.averaging().nodes()[I].entries)
+        for (const auto &entry :
+             contact_.friction_averaging().nodes()[J].entries)
           x += entry.weight * contact_.quadrature_points()[entry.point].X;
         const double r = in_plane ? std::abs(x[0]) : std::hypot(x[0], x[1]);
-        if (state.slipping)
+        if (state.response.slipping)
           innermost = std::min(innermost, r);
         else
           outermost = std::max(outermost, r);
