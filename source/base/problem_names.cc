@@ -28,7 +28,7 @@ namespace NPT
       const auto              &registry = Registry<Problem>::instance();
       std::vector<std::string> names;
       for (const std::string &name : registry.names())
-        if (!is_benchmark(name))
+        if (!is_benchmark(name) && registry.get(name).is_listed)
           names.push_back(name);
       std::stable_sort(names.begin(),
                        names.end(),

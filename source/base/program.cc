@@ -108,8 +108,8 @@ namespace NPT
       const ParameterText text = command.parameter_file.empty() ?
                                    ParameterText() :
                                    read_parameter_text(command.parameter_file);
-      const std::string   name = get_entry(text, command.overrides, "Problem")
-                                 .value_or(program.default_problem);
+      std::string         name = get_entry(text, command.overrides, "Problem")
+                           .value_or(program.default_problem);
       const auto &others = program.other_problems;
       if (command.action == CommandLine::Action::geometry &&
           (!Registry<Problem>::instance().contains(name) ||
@@ -119,8 +119,13 @@ namespace NPT
                          name + ".");
       if (std::find(others.begin(), others.end(), name) != others.end())
         start_beside(program, name, argv);
-      if (!Registry<Problem>::instance().contains(name))
+      if (!Registry<Problem>::instance().contains(name) ||
+          !Registry<Problem>::instance().get(name).is_listed)
         refuse_problem(program, name);
+      if (const auto &becomes = Registry<Problem>::instance().get(name).becomes;
+          becomes && command.action == CommandLine::Action::run)
+        if (const std::string other = becomes(text, command); !other.empty())
+          name = other;
       const Problem &problem = Registry<Problem>::instance().get(name);
 
       // Threads are not used; the linear algebra of these sizes gains nothing

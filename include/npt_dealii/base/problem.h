@@ -54,6 +54,14 @@ namespace NPT
     /// Whether one process alone needs MPI to compute: the solver MUMPS does.
     /// Several processes always have it, and none that only reads.
     bool needs_mpi = true;
+
+    /// Name of the problem that runs instead for this file, or empty: a plate
+    /// test with a wanted accuracy is many plate tests.
+    std::function<std::string(const ParameterText &, const CommandLine &)>
+      becomes = {};
+
+    /// Whether a file may name it.
+    bool is_listed = true;
   };
 
 

@@ -80,8 +80,23 @@ namespace NPT
         run_plate_test(parameters, directory, std::cout, ranks);
     }
 
-    const Registry<Problem>::Registration registration(
-      "plate test",
-      {0, "numerical plate testing of a woven cell", start, true, true});
+    std::string
+    becomes(const ParameterText &text, const CommandLine &command)
+    {
+      return get_entry(text, command.overrides, "Accuracy/Target")
+                   .value_or("off") == "off" ?
+               "" :
+               PlateTestParameters::error_controlled;
+    }
+
+    const Registry<Problem>::Registration
+      registration("plate test",
+                   {0,
+                    "numerical plate testing of a woven cell",
+                    start,
+                    true,
+                    true,
+                    true,
+                    becomes});
   } // namespace
 } // namespace NPT

@@ -11,6 +11,9 @@
 #include <npt_dealii/problems/plate_test/cell_sizes.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 
+#include <deal.II/base/utilities.h>
+
+#include <cstdlib>
 #include <tuple>
 
 namespace NPT
@@ -51,6 +54,50 @@ namespace NPT
                   "Draw with gnuplot: at the end of every stage the deformed "
                   "cell, colored by von Mises stress (cell_STAGE.svg), "
                   "and at the end of the run the curves (curves.svg).");
+  }
+
+
+
+  double
+  AccuracyParameters::target() const
+  {
+    std::string text    = dealii::Utilities::trim(wanted);
+    const bool  percent = !text.empty() && text.back() == '%';
+    if (percent)
+      text = dealii::Utilities::trim(text.substr(0, text.size() - 1));
+    char        *end    = nullptr;
+    const double value  = std::strtod(text.c_str(), &end);
+    const double result = percent ? 0.01 * value : value;
+    if (text.empty() || *end != '\0' || !(result >= 1e-4 && result <= 0.2))
+      throw InputError("Target is '" + wanted +
+                       "'; it must be off or an accuracy from 0.01 % to 20 %, "
+                       "as 1 % or 0.01 (subsection Accuracy).");
+    return result;
+  }
+
+
+
+  void
+  AccuracyParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    const ParameterSubsection subsection(prm, "Accuracy");
+    add_parameter(
+      prm,
+      "Target",
+      wanted,
+      "off: the test runs once, as the file says. An accuracy, as 1 %: the "
+      "program chooses mesh, contact method, penalties and steps of the load "
+      "stages, estimates the error of every driven resultant by further runs "
+      "(coarser mesh, one more layer of elements, softer contact, longer "
+      "steps), refines until the error bars are below the target, and writes "
+      "the curves with their bars (accuracy.csv, accuracy.svg). What the "
+      "file says of these entries does not count then.");
+    add_parameter(prm,
+                  "CPU limit",
+                  cpu_limit,
+                  "Seconds of CPU time of all runs beyond which no further "
+                  "refinement begins [s]; also the limit of a single run.",
+                  positive_number());
   }
 
 
@@ -193,6 +240,7 @@ namespace NPT
     linear_solver.add_parameters(prm);
     stability.add_parameters(prm);
     output.add_parameters(prm);
+    accuracy.add_parameters(prm);
   }
 
 
@@ -218,6 +266,8 @@ namespace NPT
   void
   PlateTestParameters::complete()
   {
+    if (accuracy.is_on())
+      accuracy.target(); // or refused
     cell.check();
     material.check();
     weft_material.check("Weft material", &material);

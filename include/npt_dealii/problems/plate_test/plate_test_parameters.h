@@ -72,6 +72,26 @@ namespace NPT
   const EnumNames<StabilityParameters::OnLoss> &
   enum_names<StabilityParameters::OnLoss>();
 
+  /// Subsection "Accuracy".
+  struct AccuracyParameters
+  {
+    std::string wanted    = "off"; ///< "off", "1 %" or "0.01"
+    double      cpu_limit = 600;   ///< of all runs [s]
+
+    bool
+    is_on() const
+    {
+      return wanted != "off";
+    }
+
+    /// The wanted relative accuracy [-]. Throws InputError if it is none.
+    double
+    target() const;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
   /**
    * Parameters of a numerical plate test. Origin stays visible:
    * parameters.friction.coefficient is the entry "Friction coefficient" of
@@ -91,6 +111,11 @@ namespace NPT
     LinearSolverParameters linear_solver;
     StabilityParameters    stability;
     OutputParameters       output;
+    AccuracyParameters     accuracy;
+
+    /// The problem that a plate test with Accuracy / Target becomes.
+    static constexpr const char *error_controlled =
+      "error-controlled plate test";
 
     /// Why the program chose this cell type ("because ..."); empty if the file
     /// names the type.

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Error bars from the differences of runs.
+
+#include <npt_dealii/problems/accuracy/error_bars.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace NPT
+{
+  namespace
+  {
+    // Value at a load factor, linear between steps.
+    double
+    interpolate(const AnswerCurve &curve, const double load_factor)
+    {
+      const auto &t = curve.load_factor;
+      const auto  i = std::lower_bound(t.begin(), t.end(), load_factor);
+      if (i == t.begin())
+        return curve.y.front();
+      if (i == t.end())
+        return curve.y.back();
+      const std::size_t k = i - t.begin();
+      const double      s = (load_factor - t[k - 1]) / (t[k] - t[k - 1]);
+      return (1. - s) * curve.y[k - 1] + s * curve.y[k];
+    }
+
+    // The largest of each value and its neighbors.
+    std::vector<double>
+    envelope(const std::vector<double> &values)
+    {
+      std::vector<double> result(values);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        {
+          if (i > 0)
+            result[i] = std::max(result[i], values[i - 1]);
+          if (i + 1 < values.size())
+            result[i] = std::max(result[i], values[i + 1]);
+        }
+      return result;
+    }
+
+    // L2 norm over the load factor by the trapezoidal rule.
+    double
+    norm(const std::vector<double> &t, const std::vector<double> &values)
+    {
+      double square = 0;
+      for (std::size_t i = 1; i < t.size(); ++i)
+        square += 0.5 * (t[i] - t[i - 1]) *
+                  (values[i] * values[i] + values[i - 1] * values[i - 1]);
+      return std::sqrt(square);
+    }
+  } // namespace
+
+
+
+  std::vector<AnswerCurve>
+  answer_curves(const std::vector<LoadStage> &stages,
+                const std::vector<CurveRow>  &rows)
+  {
+    std::vector<AnswerCurve> result;
+    for (const LoadStage &stage : stages)
+      {
+        if (stage.type != LoadStage::Type::load)
+          continue;
+        const auto first =
+          std::find_if(rows.begin(), rows.end(), [&](const CurveRow &row) {
+            return row.stage == stage.name;
+          });
+        if (first == rows.end())
+          continue;
+        const CurveRow before =
+          first == rows.begin() ? CurveRow() : *(first - 1);
+        const auto add = [&](const MacroMode                   &mode,
+                             const std::pair<unsigned, double> &target,
+                             const bool                         gradient) {
+          AnswerCurve curve;
+          curve.stage  = stage.name;
+          curve.driven = gradient ? mode.name : mode.conjugate;
+          curve.answer = gradient ? mode.conjugate : mode.name;
+          if (std::abs(curve_value(before, curve.driven) - target.second) <=
+              1e-6 * std::abs(target.second))
+            return; // held
+          for (auto row = first; row != rows.end() && row->stage == stage.name;
+               ++row)
+            {
+              curve.load_factor.push_back(row->load_factor);
+              curve.x.push_back(curve_value(*row, curve.driven));
+              curve.y.push_back(curve_value(*row, curve.answer));
+            }
+          result.push_back(curve);
+        };
+        for (const auto &target : stage.H_targets)
+          add(MacroModes::table[target.first], target, true);
+        for (const auto &target : stage.n_targets)
+          if (target.second != 0.)
+            add(MacroModes::table[target.first], target, false);
+      }
+    return result;
+  }
+
+
+
+  ErrorBars
+  estimate_errors(const Probes<AnswerCurve> &curves)
+  {
+    ErrorBars result;
+    result.main = curves.main;
+    double end  = 1e300;
+    for (const AnswerCurve *curve : {&curves.main,
+                                     &curves.coarse,
+                                     &curves.more_layers,
+                                     &curves.soft_contact,
+                                     &curves.long_steps})
+      end = std::min(end, curve->load_factor.back());
+    std::size_t n = 0;
+    while (n < curves.main.load_factor.size() &&
+           curves.main.load_factor[n] <= end * (1. + 1e-9))
+      ++n;
+    for (auto *column :
+         {&result.main.load_factor, &result.main.x, &result.main.y})
+      column->resize(n);
+
+    auto &[mesh, layers, penalty, step] = result.parts;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const double t      = result.main.load_factor[i];
+        const double coarse = interpolate(curves.coarse, t);
+        const double correction =
+          (coarse - interpolate(curves.soft_contact, t)) / (penalty_ratio - 1.);
+        result.value.push_back(result.main.y[i] + correction);
+        mesh.push_back(std::abs(result.main.y[i] - coarse));
+        layers.push_back(std::abs(interpolate(curves.more_layers, t) - coarse));
+        penalty.push_back(0.5 * std::abs(correction));
+        // Between its own steps a longer step would be compared with a chord.
+        const auto &own = curves.long_steps.load_factor;
+        const bool  met =
+          std::any_of(own.begin(), own.end(), [&](const double other) {
+            return std::abs(other - t) < 1e-9;
+          });
+        step.push_back(
+          met ? std::abs(interpolate(curves.long_steps, t) - coarse) : 0.);
+      }
+
+    result.bar.assign(n, 0.);
+    const double size = norm(result.main.load_factor, result.value);
+    for (unsigned int s = 0; s < n_error_sources; ++s)
+      {
+        result.parts[s] = envelope(result.parts[s]);
+        for (std::size_t i = 0; i < n; ++i)
+          result.bar[i] += result.parts[s][i];
+        result.relative_parts[s] =
+          norm(result.main.load_factor, result.parts[s]) / size;
+      }
+    result.relative = norm(result.main.load_factor, result.bar) / size;
+    return result;
+  }
+} // namespace NPT
