@@ -434,10 +434,12 @@ namespace
       if (node.active())
         ++(node.response.slipping ? n_slip : n_stick);
     INFO(n_stick << " sticking, " << n_slip << " slipping");
+    // Points at which the pressure vanishes slip in any case.
+    const unsigned int few = method == at_points ? (n_stick + n_slip) / 4 : 0;
     if (mu == 20.)
-      CHECK((n_stick > 2 && n_slip == 0));
+      CHECK((n_stick > 2 && n_slip <= few));
     else if (mu == 0.002)
-      CHECK((n_slip > 2 && n_stick == 0));
+      CHECK((n_slip > 2 && n_stick <= few));
     else
       CHECK((n_slip > 0 && n_stick > 0));
     double traction = 0.;

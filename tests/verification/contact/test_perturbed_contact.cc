@@ -73,7 +73,9 @@ namespace
       "Benchmark/Load steps=3",
       "Tolerances/Peak pressure=0.8 %",
       "Tolerances/Pressure profile, L2=0.06",
-      "Tolerances/Traction profile, L2=0.1"},
+      "Tolerances/Traction profile, L2=0.12",
+      // Known to half a span of a twelfth of the width.
+      "Tolerances/Stick half width=17 %"},
      rougher,
      "loss per cycle"},
     {"sphere_twist",
@@ -82,6 +84,8 @@ namespace
       "Benchmark/Span growth=3",
       "Benchmark/Load steps=2",
       "Tolerances/Peak pressure=10 %",
+      // Off by 1.9 %, and by 4.6 % with the other friction.
+      "Tolerances/Torque=3 %",
       // Three spans do not resolve the sticking zone.
       "Tolerances/Stick radius=none"},
      rougher,
