@@ -49,6 +49,7 @@ namespace NPT
     step.multiplier          = state.multiplier;
     step.traction_multiplier = state.traction;
     step.penalty_scale       = state.penalty_scale;
+    step.gap_shift           = state.gap_shift;
     step.serial              = new_serial();
 
     ContactPositions<dim> positions;
@@ -280,6 +281,8 @@ namespace NPT
       if (step.reach.has(entry.point))
         state.gap += step.reach.weight(I, entry) *
                      view.evaluation.closest[entry.point].gap;
+    if (!step.gap_shift.empty())
+      state.gap += step.gap_shift[I];
     const auto normal =
       (*normal_law_)(state.gap, step.multiplier[I], step.penalty_scale);
     state.active   = normal.active;

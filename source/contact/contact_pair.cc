@@ -203,7 +203,53 @@ namespace NPT
       }
     state.behind        = step.behind;
     state.penalty_scale = step.penalty_scale;
+    state.gap_shift     = step.gap_shift;
     return state;
+  }
+
+
+
+  template <int dim>
+  ContactState<dim>
+  ContactPair<dim>::relax(const ContactState<dim>   &state,
+                          const std::vector<double> &gaps,
+                          const double               before,
+                          const double               now) const
+  {
+    assert_sizes(state);
+    AssertDimension(gaps.size(), n_nodes());
+    // A trace of pressure stays, so that what touches goes on touching: without
+    // it nothing would hold bundles that touch.
+    const double      all_but_a_trace = 1. - 1e-9;
+    const double      left   = before < 1. ? (1. - all_but_a_trace * now) /
+                                        (1. - all_but_a_trace * before) :
+                                             1.;
+    ContactState<dim> result = state;
+    result.gap_shift.resize(n_nodes(), 0.);
+    for (unsigned int I = 0; I < n_nodes(); ++I)
+      {
+        result.gap_shift[I] +=
+          all_but_a_trace * (now - before) * std::max(0., -gaps[I]);
+        result.multiplier[I] *= left;
+      }
+    for (auto &traction : result.traction)
+      for (double &component : traction)
+        component *= left;
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactPair<dim>::relaxation_rate(const ContactEvaluation<dim> &evaluation,
+                                    const std::vector<double>    &gaps) const
+  {
+    double rate = 0;
+    for (unsigned int I = 0; I < n_nodes(); ++I)
+      rate -= weight(evaluation.reach, I) * evaluation.nodes[I].pressure *
+              std::max(0., -gaps[I]);
+    return rate;
   }
 
 

@@ -62,6 +62,7 @@ namespace NPT
     state.u           = trial.u;
     state.load_factor = increment.load_factor;
     state.applied     = increment.applied;
+    state.natural     = increment.natural;
     for (unsigned int k = 0; k < contacts().size(); ++k)
       state.contact.push_back(
         contacts()[k]->accept(increment.contact[k], trial.contact[k]));

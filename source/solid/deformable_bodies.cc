@@ -33,6 +33,7 @@ namespace NPT
     space_ = std::make_unique<IGASpace<3>>(patches, bodies, basis);
 
     gradients_ = std::make_unique<GradientsOfCells>(*space_, n_gauss_points);
+    unsigned int n_points = 0;
     for (const auto &span : space_->triangulation().active_cell_iterators())
       {
         const unsigned int        c = span->active_cell_index();
@@ -41,6 +42,8 @@ namespace NPT
           for (const unsigned int A : space_->control_points_of_cell(c))
             unknowns.push_back(3 * A + i);
         cell_unknowns_.push_back(unknowns);
+        first_point_.push_back(n_points);
+        n_points += (*gradients_)[c].n_points;
         symmetry_weight_.push_back(
           symmetry_weight ? symmetry_weight(span->material_id(), center(c)) :
                             1);
@@ -137,9 +140,11 @@ namespace NPT
 
   double
   DeformableBodies::add_residual(const Vector<double> &u,
-                                 Vector<double>       &residual) const
+                                 Vector<double>       &residual,
+                                 const NaturalState   &natural) const
   {
     SolidKernel         kernel;
+    CellGradients       scratch;
     std::vector<double> w, f;
     Vector<double>      forces(residual.size());
     double              square_of_forces = 0;
@@ -152,8 +157,11 @@ namespace NPT
         cell_displacement(c, u, w);
         try
           {
-            kernel.evaluate(
-              *laws_[span->material_id()], (*gradients_)[c], w, f, nullptr);
+            kernel.evaluate(*laws_[span->material_id()],
+                            cell_from(natural, c, scratch),
+                            w,
+                            f,
+                            nullptr);
           }
         catch (const InvertedCell &)
           {
@@ -177,10 +185,12 @@ namespace NPT
   void
   DeformableBodies::add_tangent(const Vector<double> &u,
                                 const CellGroups     &groups,
-                                ConstrainedSystem    &system) const
+                                ConstrainedSystem    &system,
+                                const NaturalState   &natural) const
   {
     AssertDimension(groups.size(), gradients_->size());
     SolidKernel         kernel;
+    CellGradients       scratch;
     std::vector<double> w, f, K;
     unsigned int        inverted = dealii::numbers::invalid_unsigned_int;
     for (const auto &span : space_->triangulation().active_cell_iterators())
@@ -191,8 +201,11 @@ namespace NPT
         cell_displacement(c, u, w);
         try
           {
-            kernel.evaluate(
-              *laws_[span->material_id()], (*gradients_)[c], w, f, &K);
+            kernel.evaluate(*laws_[span->material_id()],
+                            cell_from(natural, c, scratch),
+                            w,
+                            f,
+                            &K);
           }
         catch (const InvertedCell &)
           {
@@ -207,9 +220,11 @@ namespace NPT
 
 
   double
-  DeformableBodies::stored_energy(const Vector<double> &u) const
+  DeformableBodies::stored_energy(const Vector<double> &u,
+                                  const NaturalState   &natural) const
   {
     SolidKernel         kernel;
+    CellGradients       scratch;
     double              sum = 0;
     std::vector<double> w;
     for (const auto &span : space_->triangulation().active_cell_iterators())
@@ -218,19 +233,74 @@ namespace NPT
           const unsigned int c = span->active_cell_index();
           cell_displacement(c, u, w);
           sum +=
-            symmetry_weight_[c] *
-            kernel.energy(*laws_[span->material_id()], (*gradients_)[c], w);
+            symmetry_weight_[c] * kernel.energy(*laws_[span->material_id()],
+                                                cell_from(natural, c, scratch),
+                                                w);
         }
     return ranks_.sum(sum);
   }
 
 
 
+  const CellGradients &
+  DeformableBodies::cell_from(const NaturalState &natural,
+                              const unsigned int  cell,
+                              CellGradients      &scratch) const
+  {
+    const CellGradients &reference = (*gradients_)[cell];
+    if (natural.empty())
+      return reference;
+    to_natural_state(reference, &natural[9 * first_point_[cell]], scratch);
+    return scratch;
+  }
+
+
+
+  NaturalState
+  DeformableBodies::relax(const Vector<double> &u,
+                          const NaturalState   &natural,
+                          const double          fraction) const
+  {
+    const Tensor<2, 3>  identity = dealii::unit_symmetric_tensor<3>();
+    NaturalState        result;
+    SolidKernel         kernel;
+    CellGradients       scratch;
+    std::vector<double> w;
+    for (unsigned int c = 0; c < gradients_->size(); ++c)
+      {
+        cell_displacement(c, u, w);
+        const CellGradients &cell = cell_from(natural, c, scratch);
+        const double        *raw  = kernel.deformation_gradients(cell, w);
+        // Without a fiber any direction serves.
+        const Tensor<1, 3> *of_law = laws_[space_->cells()[c].patch]->fiber();
+        const Tensor<1, 3>  fiber =
+          of_law != nullptr ? *of_law : Tensor<1, 3>({1., 0., 0.});
+        for (unsigned int q = 0; q < cell.n_points; ++q, raw += 9)
+          {
+            Tensor<2, 3> F_e, inverse = identity;
+            for (unsigned int e = 0; e < 9; ++e)
+              F_e[e / 3][e % 3] = raw[e];
+            if (!natural.empty())
+              for (unsigned int e = 0; e < 9; ++e)
+                inverse[e / 3][e % 3] = cell.at_rest[9 * q + e];
+            const Tensor<2, 3> relaxed =
+              relaxed_inverse(F_e, inverse, fiber, fraction);
+            for (unsigned int e = 0; e < 9; ++e)
+              result.push_back(relaxed[e / 3][e % 3]);
+          }
+      }
+    return result;
+  }
+
+
+
   void
   DeformableBodies::for_each_gradient(const Vector<double> &u,
+                                      const NaturalState   &natural,
                                       const PointVisitor   &visit) const
   {
     SolidKernel         kernel;
+    CellGradients       scratch;
     std::vector<double> w;
     for (const auto &span : space_->triangulation().active_cell_iterators())
       {
@@ -238,8 +308,9 @@ namespace NPT
           continue;
         const unsigned int c = span->active_cell_index();
         cell_displacement(c, u, w);
-        const double *F = kernel.deformation_gradients((*gradients_)[c], w);
-        for (unsigned int q = 0; q < (*gradients_)[c].n_points; ++q)
+        const CellGradients &cell = cell_from(natural, c, scratch);
+        const double        *F    = kernel.deformation_gradients(cell, w);
+        for (unsigned int q = 0; q < cell.n_points; ++q)
           visit(c, q, F + 9 * q);
       }
   }
@@ -249,10 +320,13 @@ namespace NPT
   void
   DeformableBodies::for_each_point(
     const Vector<double>                             &u,
-    const std::function<void(const MaterialPoint &)> &visit) const
+    const std::function<void(const MaterialPoint &)> &visit,
+    const NaturalState                               &natural) const
   {
     for_each_gradient(
-      u, [&](const unsigned int c, const unsigned int q, const double *F) {
+      u,
+      natural,
+      [&](const unsigned int c, const unsigned int q, const double *F) {
         double        P[9];
         MaterialPoint point;
         laws_[space_->cells()[c].patch]->stress(F, P);
@@ -264,6 +338,14 @@ namespace NPT
             point.F[e / 3][e % 3] = F[e];
             point.P[e / 3][e % 3] = P[e];
           }
+        if (!natural.empty())
+          {
+            Tensor<2, 3> inverse; // of F_w
+            for (unsigned int e = 0; e < 9; ++e)
+              inverse[e / 3][e % 3] = natural[9 * (first_point_[c] + q) + e];
+            point.F = point.F * invert(inverse);
+            point.P = point.P * transpose(inverse) / determinant(inverse);
+          }
         visit(point);
       });
   }
@@ -272,13 +354,16 @@ namespace NPT
 
   DeformableBodies::Ellipticity
   DeformableBodies::search_ellipticity(const Vector<double> &u,
+                                       const NaturalState   &natural,
                                        const bool            losses_only) const
   {
     Ellipticity  result;
     unsigned int cell = 0, q = 0;
     result.lowest.value = std::numeric_limits<double>::max();
     for_each_gradient(
-      u, [&](const unsigned int c, const unsigned int point, const double *F) {
+      u,
+      natural,
+      [&](const unsigned int c, const unsigned int point, const double *F) {
         const unsigned int patch = space_->cells()[c].patch;
         double             P[9], A[81];
         laws_[patch]->stress_and_tangent(F, P, A);
@@ -323,17 +408,20 @@ namespace NPT
 
 
   DeformableBodies::Ellipticity
-  DeformableBodies::lowest_acoustic_eigenvalue(const Vector<double> &u) const
+  DeformableBodies::lowest_acoustic_eigenvalue(
+    const Vector<double> &u,
+    const NaturalState   &natural) const
   {
-    return search_ellipticity(u, false);
+    return search_ellipticity(u, natural, false);
   }
 
 
 
   std::optional<DeformableBodies::Ellipticity>
-  DeformableBodies::loss_of_ellipticity(const Vector<double> &u) const
+  DeformableBodies::loss_of_ellipticity(const Vector<double> &u,
+                                        const NaturalState   &natural) const
   {
-    const Ellipticity found = search_ellipticity(u, true);
+    const Ellipticity found = search_ellipticity(u, natural, true);
     if (found.lowest.value > 0.)
       return {};
     return found;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Defines the fields of deformable bodies for VTU files.
 
-#include <npt_dealii/material/fiber_bundle_law.h>
 #include <npt_dealii/solid/solid_fields.h>
 
 #include <deal.II/base/tensor.h>
@@ -16,13 +15,6 @@ namespace NPT
 
   namespace
   {
-    const Tensor<1, 3> *
-    fiber_of(const HyperelasticLaw<3> &law)
-    {
-      const auto *bundle = dynamic_cast<const FiberBundleLaw<3> *>(&law);
-      return bundle == nullptr ? nullptr : &bundle->fiber_direction();
-    }
-
     // Weighted sums of states; those without a fiber have no part in the sums
     // of the fiber.
     struct StateSum
@@ -73,7 +65,7 @@ namespace NPT
     result.volume_ratio = determinant(F);
     result.stress       = symmetrize(P * transpose(F)) / result.volume_ratio;
     result.von_mises    = std::sqrt(1.5) * deviator(result.stress).norm();
-    if (const Tensor<1, 3> *A = fiber_of(law))
+    if (const Tensor<1, 3> *A = law.fiber())
       {
         const Tensor<1, 3> along  = F * *A;
         const Tensor<1, 3> normal = transpose(invert(F)) * *A;
@@ -92,16 +84,25 @@ namespace NPT
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
     const GradientsOfCells                                 &gradients,
-    const Vector<double>                                   &u)
+    const Vector<double>                                   &u,
+    const NaturalState                                     &natural)
   {
     std::vector<StateSum> sums(space.n_control_points());
     SolidKernel           kernel;
+    CellGradients         scratch;
     std::vector<double>   w;
+    const double         *inverse = natural.data();
     for (const auto &span : space.triangulation().active_cell_iterators())
       {
-        const unsigned int   c    = span->active_cell_index();
-        const CellGradients &cell = gradients[c];
-        const auto           A    = space.control_points_of_cell(c);
+        const unsigned int   c         = span->active_cell_index();
+        const CellGradients &reference = gradients[c];
+        const auto           A         = space.control_points_of_cell(c);
+        if (!natural.empty())
+          {
+            to_natural_state(reference, inverse, scratch);
+            inverse += 9 * reference.n_points;
+          }
+        const CellGradients &cell = natural.empty() ? reference : scratch;
         w.resize(3 * A.size());
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int a = 0; a < A.size(); ++a)
@@ -132,12 +133,14 @@ namespace NPT
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
     const GradientsOfCells                                 &gradients,
-    const Vector<double>                                   &u)
+    const Vector<double>                                   &u,
+    const NaturalState                                     &natural)
   {
-    const auto states = states_at_control_points(space, laws, gradients, u);
+    const auto states =
+      states_at_control_points(space, laws, gradients, u, natural);
     const bool have_fibers =
       std::any_of(laws.begin(), laws.end(), [](const auto &law) {
-        return fiber_of(*law) != nullptr;
+        return law->fiber() != nullptr;
       });
     BezierMesh mesh;
     mesh.dim        = 3;

@@ -156,13 +156,18 @@ namespace NPT
 
 
 
-    // F = 1 + w_A (x) Grad N_A at all points; F[q][iJ].
+    // F = 1 + w_A (x) Grad N_A at all points; F[q][iJ]. Instead of 1 stands
+    // what the natural state says.
     NPT_SIMD_CLONES void
     compute_gradients(const CellGradients &cell, const double *w, double *F)
     {
-      const unsigned int stride = cell.stride;
-      const double      *g      = cell.gradients.data();
-      for (unsigned int q = 0; q < cell.n_points; ++q, F += 9)
+      const unsigned int stride      = cell.stride;
+      const double      *g           = cell.gradients.data();
+      const double       identity[9] = {1., 0., 0., 0., 1., 0., 0., 0., 1.};
+      const bool         is_natural  = cell.at_rest.empty();
+      const double      *at_rest = is_natural ? identity : cell.at_rest.data();
+      for (unsigned int q = 0; q < cell.n_points;
+           ++q, F += 9, at_rest += is_natural ? 0 : 9)
         for (unsigned int J = 0; J < 3; ++J, g += stride)
           {
             Lanes sums[3] = {};
@@ -170,7 +175,7 @@ namespace NPT
               for (unsigned int i = 0; i < 3; ++i)
                 sums[i] += *Load(w + i * stride + A) * *Load(g + A);
             for (unsigned int i = 0; i < 3; ++i)
-              F[3 * i + J] = (i == J ? 1. : 0.) + ((sums[i][0] + sums[i][1]) +
+              F[3 * i + J] = at_rest[3 * i + J] + ((sums[i][0] + sums[i][1]) +
                                                    (sums[i][2] + sums[i][3]));
           }
     }

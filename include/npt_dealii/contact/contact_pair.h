@@ -141,6 +141,33 @@ namespace NPT
     accept(const ContactStep<dim>       &step,
            const ContactEvaluation<dim> &evaluation) const;
 
+    // ------------------------------------------------------------ relaxation
+
+    /**
+     * The state in which a fraction of the contact pressure at the start of the
+     * relaxation has gone: what has been pressed in counts as the shape of the
+     * surfaces,
+     *
+     * @f[ g \to g + \varphi \, \langle -g_0 \rangle, @f]
+     *
+     * so that at the same displacement the pressure falls linearly with the
+     * fraction phi, as do multipliers and friction tractions.
+     *
+     * @param state With the fraction `before`.
+     * @param gaps g_0 of the nodes at the start of the relaxation [mm].
+     */
+    ContactState<dim>
+    relax(const ContactState<dim>   &state,
+          const std::vector<double> &gaps,
+          const double               before,
+          const double               now) const;
+
+    /// Energy of the normal penalty that relaxation takes away per fraction
+    /// [N mm].
+    double
+    relaxation_rate(const ContactEvaluation<dim> &evaluation,
+                    const std::vector<double>    &gaps) const;
+
     // -------------------------------------------------- augmented Lagrangian
 
     /// How far the evaluated state is from its multipliers, (A17).

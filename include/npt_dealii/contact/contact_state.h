@@ -24,6 +24,9 @@ namespace NPT
     std::vector<std::array<double, dim - 1>> traction;
     /// Multiplier of the augmented Lagrangian of every node [MPa].
     std::vector<double> multiplier;
+    /// What is added to the gap of every contact node [mm], because the
+    /// pressure of what it was has relaxed; empty: nothing.
+    std::vector<double> gap_shift;
     /// Factor by which the augmented Lagrangian has let both penalties grow.
     double penalty_scale = 1.;
     /// Closest point of every Gauss point; not known behind the body.

@@ -48,6 +48,7 @@ namespace NPT
     std::vector<double>                multiplier;
     std::vector<std::array<double, m>> traction_multiplier;
     double                             penalty_scale = 1.;
+    std::vector<double>                gap_shift; ///< see ContactState
     /// Tells evaluations of this step from those of others, for assertions.
     unsigned long serial = 0;
   };

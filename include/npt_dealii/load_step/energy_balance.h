@@ -22,6 +22,9 @@ namespace NPT
     /// Of all driving forces, by the trapezoidal rule.
     double work        = 0;
     double dissipation = 0;
+    /// What the energies lose at this state per fraction of relaxed stress; its
+    /// integral is dissipated.
+    double relaxation_rate = 0;
     /// Sum of |Delta n| |Delta H| / 2 over steps and driving forces n: by so
     /// much the work can be off if every n is monotone within its steps.
     double work_uncertainty = 0;
@@ -40,11 +43,12 @@ namespace NPT
    *
    * @f[ W = \Delta E + D + M , @f]
    *
-   * with the work W, the energies E, the dissipation D of friction and a
-   * missing part M. On one equilibrium path M is the error of the trapezoidal
-   * rule, which vanishes with the step squared. A step that lands on another
-   * path (a snap, contact that is lost) leaves the energy that a real fabric
-   * would turn into vibrations and heat: M does not vanish with the step.
+   * with the work W, the energies E, the dissipation D of friction and of
+   * relaxation, and a missing part M. On one equilibrium path M is the error of
+   * the trapezoidal rule, which vanishes with the step squared. A step that
+   * lands on another path (a snap, contact that is lost) leaves the energy that
+   * a real fabric would turn into vibrations and heat: M does not vanish with
+   * the step.
    */
   struct EnergyChange
   {

@@ -35,6 +35,9 @@ namespace NPT
     /// Of every contact pair: friction tractions, closest points, multipliers,
     /// grown penalties.
     std::vector<ContactState<3>> contact;
+    /// Where the bodies bear no stress, see NaturalState of room solid; empty:
+    /// the reference configuration.
+    std::vector<double> natural;
     /// What the balance of energy compares.
     Energies energies;
   };
@@ -50,6 +53,7 @@ namespace NPT
     /// By independent unknown; only the prescribed entries mean something.
     dealii::Vector<double>      target;
     std::vector<double>         applied; ///< as State::applied, at the end
+    std::vector<double>         natural; ///< as State::natural, at the end
     std::vector<ContactStep<3>> contact;
   };
 

@@ -106,6 +106,12 @@ namespace NPT
     std::string
     name() const override;
 
+    const dealii::Tensor<1, dim> *
+    fiber() const override
+    {
+      return &fiber_direction_;
+    }
+
     double
     energy(const double *F) const override;
 

@@ -41,6 +41,14 @@ namespace NPT
     virtual std::string
     name() const = 0;
 
+    /// The unit vector along the fibers in the reference configuration; null
+    /// if the law has none.
+    virtual const dealii::Tensor<1, dim> *
+    fiber() const
+    {
+      return nullptr;
+    }
+
     virtual double
     energy(const double *F) const = 0;
 

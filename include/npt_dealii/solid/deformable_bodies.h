@@ -11,6 +11,7 @@
 #include <npt_dealii/material/ellipticity.h>
 #include <npt_dealii/material/hyperelastic_law.h>
 #include <npt_dealii/solid/cell_gradients.h>
+#include <npt_dealii/solid/natural_state.h>
 #include <npt_dealii/solid/solid_kernel.h>
 
 #include <deal.II/base/tensor.h>
@@ -47,6 +48,9 @@ namespace NPT
    * Unknown 3 A + i is component i of the displacement of control point A [mm].
    * Vectors may be longer: a problem appends its own unknowns (macroscopic
    * gradients, images). The integral over one cell is SolidKernel's.
+   *
+   * Functions of a state take the natural state of the bodies, in which they
+   * bear no stress; without it this is the reference configuration.
    */
   class DeformableBodies
   {
@@ -143,7 +147,8 @@ namespace NPT
      */
     double
     add_residual(const dealii::Vector<double> &u,
-                 dealii::Vector<double>       &residual) const;
+                 dealii::Vector<double>       &residual,
+                 const NaturalState           &natural = {}) const;
 
     /**
      * Add the tangent at u of the cells of this process to a system.
@@ -155,7 +160,8 @@ namespace NPT
     void
     add_tangent(const dealii::Vector<double> &u,
                 const CellGroups             &groups,
-                ConstrainedSystem            &system) const;
+                ConstrainedSystem            &system,
+                const NaturalState           &natural = {}) const;
 
     /// Stiffness at rest times size^2 [N], the unit of forces of these bodies:
     /// what is 1e-14 of it is round-off.
@@ -167,7 +173,15 @@ namespace NPT
 
     /// Of the bodies, images included [N mm].
     double
-    stored_energy(const dealii::Vector<double> &u) const;
+    stored_energy(const dealii::Vector<double> &u,
+                  const NaturalState           &natural = {}) const;
+
+    /// The natural state after a fraction of the stress at u has relaxed, see
+    /// relaxed_inverse(); of all cells on all processes.
+    NaturalState
+    relax(const dealii::Vector<double> &u,
+          const NaturalState           &natural,
+          const double                  fraction) const;
 
     /// What for_each_point() shows of a quadrature point.
     struct MaterialPoint
@@ -175,17 +189,17 @@ namespace NPT
       unsigned int         cell;
       unsigned int         q;  ///< number of the point in the cell
       double               dV; ///< m_c JxW [mm^3]
-      dealii::Tensor<2, 3> F;
-      dealii::Tensor<2, 3> P; ///< [MPa]
+      dealii::Tensor<2, 3> F;  ///< from the reference configuration
+      dealii::Tensor<2, 3> P;  ///< [MPa], on the reference configuration
     };
 
     /// Visit the quadrature points of this process's cells with m_c > 0, in
     /// order, at the state u. Volume averages are sums over these points, and
     /// over the processes.
     void
-    for_each_point(
-      const dealii::Vector<double>                     &u,
-      const std::function<void(const MaterialPoint &)> &visit) const;
+    for_each_point(const dealii::Vector<double>                     &u,
+                   const std::function<void(const MaterialPoint &)> &visit,
+                   const NaturalState &natural = {}) const;
 
     /// Value at a quadrature point of a field given by its coefficients, one
     /// per control point.
@@ -213,11 +227,13 @@ namespace NPT
     /// of the acoustic tensor: 0.1 ms per point, a few seconds per state of the
     /// default cell.
     Ellipticity
-    lowest_acoustic_eigenvalue(const dealii::Vector<double> &u) const;
+    lowest_acoustic_eigenvalue(const dealii::Vector<double> &u,
+                               const NaturalState &natural = {}) const;
     /// The same if there is a point without ellipticity, else nothing; some
     /// microseconds per point, because most obey is_surely_elliptic().
     std::optional<Ellipticity>
-    loss_of_ellipticity(const dealii::Vector<double> &u) const;
+    loss_of_ellipticity(const dealii::Vector<double> &u,
+                        const NaturalState           &natural = {}) const;
     /// "bundle 2 at (0.1, 0.2, 0.3): ..." for messages.
     std::string
     describe(const Ellipticity &ellipticity) const;
@@ -232,9 +248,16 @@ namespace NPT
       void(const unsigned int cell, const unsigned int q, const double *F)>;
     void
     for_each_gradient(const dealii::Vector<double> &u,
+                      const NaturalState           &natural,
                       const PointVisitor           &visit) const;
+    // Of the reference configuration, or of the natural state in scratch.
+    const CellGradients &
+    cell_from(const NaturalState &natural,
+              const unsigned int  cell,
+              CellGradients      &scratch) const;
     Ellipticity
     search_ellipticity(const dealii::Vector<double> &u,
+                       const NaturalState           &natural,
                        const bool                    losses_only) const;
     // Throws InvertedCell on all processes if one of them found such a cell;
     // invalid_unsigned_int: none here.
@@ -250,7 +273,8 @@ namespace NPT
     std::vector<std::string>                         names_; // by patch
     std::unique_ptr<GradientsOfCells>                gradients_;
     std::vector<unsigned int>                        symmetry_weight_;
-    std::vector<std::vector<unsigned int>>           cell_unknowns_;
+    std::vector<unsigned int>              first_point_; // of a cell, among all
+    std::vector<std::vector<unsigned int>> cell_unknowns_;
     std::vector<double> shear_moduli_; // smallest at rest, by patch
     double              force_unit_ = 0;
   };

@@ -8,6 +8,7 @@
 #include <npt_dealii/io/vtu_file.h>
 #include <npt_dealii/material/hyperelastic_law.h>
 #include <npt_dealii/solid/cell_gradients.h>
+#include <npt_dealii/solid/natural_state.h>
 #include <npt_dealii/solid/solid_kernel.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -21,6 +22,7 @@ namespace NPT
   /**
    * What is known at a point of a body. A is the unit fiber direction of the
    * law; for a law without a fiber, fiber, stretch and fiber_shear are zero.
+   * Where stress has relaxed F is the elastic part F_e.
    */
   struct PointState
   {
@@ -56,7 +58,8 @@ namespace NPT
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
     const GradientsOfCells                                 &gradients,
-    const dealii::Vector<double>                           &u);
+    const dealii::Vector<double>                           &u,
+    const NaturalState                                     &natural = {});
 
   /**
    * Bundles in the current configuration as Bezier cells, with displacement
@@ -70,7 +73,8 @@ namespace NPT
     const IGASpace<3>                                      &space,
     const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
     const GradientsOfCells                                 &gradients,
-    const dealii::Vector<double>                           &u);
+    const dealii::Vector<double>                           &u,
+    const NaturalState                                     &natural = {});
 } // namespace NPT
 
 #endif

@@ -26,6 +26,8 @@ namespace NPT
     std::vector<double> gradients;       ///< [point][J][function or zero], 1/mm
     std::vector<double> values;          ///< [point][function]
     std::vector<double> jxw; ///< reference volume of the points, mm^3
+    /// F without displacement, [point][iJ]; empty: 1. See NaturalState.
+    std::vector<double> at_rest;
 
     /// Set the sizes, and the gradients to zero.
     void

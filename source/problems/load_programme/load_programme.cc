@@ -24,6 +24,7 @@ namespace NPT
     using Type                         = LoadStage::Type;
     static const EnumNames<Type> names = {{Type::weave, "weave"},
                                           {Type::release, "release"},
+                                          {Type::relax, "relax"},
                                           {Type::load, "load"}};
     return names;
   }
@@ -42,6 +43,11 @@ namespace NPT
       }
     else if (name == "release")
       steps.initial_step = steps.maximum_step = 1;
+    else if (name == "relax")
+      {
+        relaxed_fraction   = 1;
+        steps.initial_step = steps.maximum_step = 0.25;
+      }
     else if (name == "shear")
       H_targets[2] = 0.2;
     else if (name == "tension")
@@ -57,8 +63,8 @@ namespace NPT
     add_parameter(prm,
                   "Type",
                   given_type,
-                  "What the stage does. Automatic: weave or release if it is "
-                  "so named, else load.");
+                  "What the stage does. Automatic: weave, release or relax if "
+                  "it is so named, else load.");
     add_parameter(
       prm,
       "Targets",
@@ -76,8 +82,16 @@ namespace NPT
     add_parameter(prm,
                   "Friction",
                   given_friction,
-                  "Friction during the stage. Automatic: off in "
-                  "weave and release, on in load.");
+                  "Friction during the stage. Automatic: on in load, off in "
+                  "all others.");
+    add_parameter(prm,
+                  "Relaxed fraction",
+                  relaxed_fraction,
+                  "Stage of type relax: how much of the stress and of the "
+                  "contact pressure is gone at its end [-], as in a fabric "
+                  "whose weaving stresses have relaxed; 1 leaves bundles "
+                  "without stress that just touch.",
+                  Patterns::Double(0., 1.));
     steps.add_parameters(prm);
   }
 
@@ -138,12 +152,20 @@ namespace NPT
     type     = given_type        ? *given_type :
                name == "weave"   ? Type::weave :
                name == "release" ? Type::release :
+               name == "relax"   ? Type::relax :
                                    Type::load;
     friction = given_friction.value_or(type == Type::load);
     if (type == Type::load && H_targets.empty() && n_targets.empty())
       throw InputError("Targets is empty; a load stage needs at least one, "
                        "such as H3: 0.2 (subsection Stage " +
                        name + ").");
+    if ((relaxed_fraction > 0.) != (type == Type::relax))
+      throw InputError("Relaxed fraction is " +
+                       EntryValue<double>::text(relaxed_fraction) +
+                       (type == Type::relax ?
+                          ", but a stage of type relax must relax something" :
+                          ", but the stage is not of type relax") +
+                       " (subsection Stage " + name + ").");
     steps.check("subsection Stage " + name);
   }
 
@@ -157,7 +179,7 @@ namespace NPT
     check_order(const std::vector<LoadStage> &stages)
     {
       const std::string where =
-        "; the order is weave, release, load (entry Stages, subsection Load "
+        "; the order is weave, release, then relax and load (entry Stages, subsection Load "
         "programme).";
       const LoadStage *weave = nullptr, *release = nullptr, *load = nullptr;
       for (const LoadStage &stage : stages)
@@ -183,6 +205,13 @@ namespace NPT
                                  " releases what stage " + release->name +
                                  " has released already" + where);
               release = &stage;
+              break;
+            case LoadStage::Type::relax:
+              if (!release)
+                throw InputError("Stage " + stage.name +
+                                 " relaxes, but no stage before it releases "
+                                 "a weave" +
+                                 where);
               break;
             case LoadStage::Type::load:
               if (weave && !release)

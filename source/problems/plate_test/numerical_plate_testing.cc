@@ -214,7 +214,9 @@ namespace NPT
                                      const AcceptedStep &step)
   {
     state_ = step.after;
-    if (stage.type != LoadStage::Type::load && state_.load_factor == 1.)
+    if ((stage.type == LoadStage::Type::weave ||
+         stage.type == LoadStage::Type::release) &&
+        state_.load_factor == 1.)
       woven_ = cell_->woven_positions(state_.u); // weaving has ended here
     results_.add_step(*cell_, stage, step, woven_);
     warn_of_ellipticity(stage, step);
@@ -233,7 +235,7 @@ namespace NPT
     if (parameters_.stability.stops_at_loss() || stage.name == not_elliptic_in_)
       return;
     TimerOutput::Scope timer(timer_, "Ellipticity");
-    auto               loss = cell_->bodies().loss_of_ellipticity(state_.u);
+    auto loss = cell_->bodies().loss_of_ellipticity(state_.u, state_.natural);
     if (!loss)
       return;
     not_elliptic_in_ = stage.name;
@@ -244,7 +246,8 @@ namespace NPT
         const double           middle = 0.5 * (elliptic + lost);
         dealii::Vector<double> u(step.before.u);
         u.sadd(1. - middle, middle, step.after.u);
-        if (const auto found = cell_->bodies().loss_of_ellipticity(u))
+        if (const auto found =
+              cell_->bodies().loss_of_ellipticity(u, state_.natural))
           {
             loss = found;
             lost = middle;
@@ -278,8 +281,9 @@ namespace NPT
     if (is_elliptic && !tells_its_cause(failure))
       {
         const DeformableBodies &bodies = cell_->bodies();
-        const auto lowest = bodies.lowest_acoustic_eigenvalue(state_.u);
-        is_elliptic       = lowest.lowest.value > 0.;
+        const auto              lowest =
+          bodies.lowest_acoustic_eigenvalue(state_.u, state_.natural);
+        is_elliptic = lowest.lowest.value > 0.;
         account += is_elliptic ?
                      " The material is elliptic at the last accepted step (" :
                      " The material has lost its ellipticity (";

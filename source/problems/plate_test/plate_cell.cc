@@ -118,17 +118,21 @@ namespace NPT
 
   Resultants
   PlateCell::averages(const Vector<double>        &u,
-                      const std::vector<Point<3>> &woven) const
+                      const std::vector<Point<3>> &woven,
+                      const NaturalState          &natural) const
   {
     std::vector<double> Z3;
     for (const Point<3> &Z :
          woven.empty() ? bodies_.space().control_points() : woven)
       Z3.push_back(Z[2]);
     Resultants sum;
-    bodies_.for_each_point(u, [&](const auto &point) {
-      sum.N += point.P * point.dV;
-      sum.M += bodies_.interpolate(point, Z3) * point.P * point.dV;
-    });
+    bodies_.for_each_point(
+      u,
+      [&](const auto &point) {
+        sum.N += point.P * point.dV;
+        sum.M += bodies_.interpolate(point, Z3) * point.P * point.dV;
+      },
+      natural);
     for (dealii::Tensor<2, 3> *average : {&sum.N, &sum.M})
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)

@@ -110,11 +110,12 @@ namespace NPT
     energy_balance_.add_step(stage.name,
                              step.before.energies,
                              step.after.energies);
-    CurveRow         row      = make_row(cell, stage, step);
-    const Resultants averages = cell.averages(step.after.u, woven);
-    row.N                     = averages.N;
-    row.M                     = averages.M;
-    row.cpu_seconds           = cpu_seconds();
+    CurveRow         row = make_row(cell, stage, step);
+    const Resultants averages =
+      cell.averages(step.after.u, woven, step.after.natural);
+    row.N           = averages.N;
+    row.M           = averages.M;
+    row.cpu_seconds = cpu_seconds();
     curve_.push_back(row);
     if (curve_writer_)
       curve_writer_->write(row);
@@ -244,8 +245,11 @@ namespace NPT
 
     const std::string bundles = "bundles-" + number.str() + ".vtu";
     write_vtu(directory_ + "/" + bundles,
-              make_bundle_fields(
-                bodies.space(), bodies.laws(), bodies.gradients(), state.u));
+              make_bundle_fields(bodies.space(),
+                                 bodies.laws(),
+                                 bodies.gradients(),
+                                 state.u,
+                                 state.natural));
     bundle_files_.emplace_back(time, bundles);
     write_pvd(directory_ + "/fields.pvd", bundle_files_);
 
@@ -284,8 +288,12 @@ namespace NPT
       picture.positions.push_back(
         space.control_points()[A] +
         Tensor<1, 3>({state.u[3 * A], state.u[3 * A + 1], state.u[3 * A + 2]}));
-    for (const PointState &point : states_at_control_points(
-           space, cell.bodies().laws(), cell.bodies().gradients(), state.u))
+    for (const PointState &point :
+         states_at_control_points(space,
+                                  cell.bodies().laws(),
+                                  cell.bodies().gradients(),
+                                  state.u,
+                                  state.natural))
       picture.values.push_back(point.von_mises);
     picture.woven = woven;
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)

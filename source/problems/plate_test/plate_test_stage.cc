@@ -35,7 +35,8 @@ namespace NPT
       for (unsigned int k = 0; k <= index; ++k)
         weaving_began =
           weaving_began || stages[k].type == LoadStage::Type::weave;
-      return weaving_began && stages[index].type != LoadStage::Type::load;
+      return weaving_began && (stages[index].type == LoadStage::Type::weave ||
+                               stages[index].type == LoadStage::Type::release);
     }
 
     // The residual leaves out what the pins bear, so that it does work in a
@@ -119,6 +120,53 @@ namespace NPT
     foundation_.add_groups(system);
     start_ = make_start(before, index > 0 && stages[index - 1].friction);
     friction_let_go_ = before.energies.friction - start_.energies.friction;
+    if (stage_.type == LoadStage::Type::relax)
+      begin_relaxation();
+  }
+
+
+
+  double
+  PlateTestStage::relaxed_fraction(const double load_factor) const
+  {
+    return stage_.relaxed_fraction * load_factor;
+  }
+
+
+
+  void
+  PlateTestStage::begin_relaxation()
+  {
+    std::vector<ContactEvaluation<3>> contact(contacts().size());
+    const auto                        steps = begin_contact(start_);
+    for (unsigned int k = 0; k < contacts().size(); ++k)
+      {
+        contacts()[k]->evaluate(steps[k], start_.u, contact[k]);
+        gaps_at_start_.emplace_back();
+        for (const NodeState<3> &node : contact[k].nodes)
+          gaps_at_start_.back().push_back(node.gap);
+      }
+    start_.energies.relaxation_rate = relaxation_rate(start_.u, contact, 0.);
+  }
+
+
+
+  // -dE/dphi of bodies and contact at a fixed displacement.
+  double
+  PlateTestStage::relaxation_rate(
+    const Vector<double>                    &u,
+    const std::vector<ContactEvaluation<3>> &contact,
+    const double                             fraction) const
+  {
+    const double d      = 1e-4; // of a smooth function; error d^2
+    const auto   energy = [&](const double phi) {
+      return cell_.bodies().stored_energy(
+        u, cell_.bodies().relax(start_.u, start_.natural, phi));
+    };
+    double rate = (energy(fraction - d) - energy(fraction + d)) / (2. * d);
+    for (unsigned int k = 0; k < contacts().size(); ++k)
+      rate += contacts()[k]->relaxation_rate(contact[k], gaps_at_start_[k]);
+    return rate;
   }
 
 
@@ -234,7 +282,22 @@ namespace NPT
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       increment.applied.push_back(
         force_from_[n] + load_factor * (force_to_[n] - force_from_[n]));
-    increment.contact = begin_contact(accepted);
+    increment.natural = accepted.natural;
+    if (stage_.type != LoadStage::Type::relax)
+      {
+        increment.contact = begin_contact(accepted);
+        return increment;
+      }
+    const double before = relaxed_fraction(accepted.load_factor);
+    const double now    = relaxed_fraction(load_factor);
+    increment.natural   = cell_.bodies().relax(start_.u, start_.natural, now);
+    State relaxed       = accepted;
+    for (unsigned int k = 0; k < contacts().size(); ++k)
+      relaxed.contact[k] = contacts()[k]->relax(accepted.contact[k],
+                                                gaps_at_start_[k],
+                                                before,
+                                                now);
+    increment.contact = begin_contact(relaxed);
     return increment;
   }
 
@@ -249,7 +312,7 @@ namespace NPT
     R.reinit(macro.n_unknowns());
     {
       const auto scope  = section(timer_, "Residual: bundles");
-      trial.force_scale = cell_.bodies().add_residual(u, R);
+      trial.force_scale = cell_.bodies().add_residual(u, R, increment.natural);
     }
     {
       const auto     scope = section(timer_, "Residual: contact");
@@ -306,7 +369,10 @@ namespace NPT
     if (ranks().is_first())
       foundation_.add_tangent(foundation_share(increment.load_factor), system);
     const auto scope = section(timer_, "Tangent: bundles");
-    cell_.bodies().add_tangent(trial.u, cell_groups_, system);
+    cell_.bodies().add_tangent(trial.u,
+                               cell_groups_,
+                               system,
+                               increment.natural);
     return true;
   }
 
@@ -328,7 +394,8 @@ namespace NPT
     if (stability.stops_at_loss())
       {
         const auto scope = section(timer_, "Ellipticity");
-        if (const auto loss = cell_.bodies().loss_of_ellipticity(after.u))
+        if (const auto loss =
+              cell_.bodies().loss_of_ellipticity(after.u, after.natural))
           throw EllipticityLost(cell_.bodies().describe(*loss));
       }
     const EnergyChange step(before.energies, after.energies);
@@ -405,13 +472,26 @@ namespace NPT
     energies.work_uncertainty    = before.energies.work_uncertainty;
     energies.release_uncertainty = before.energies.release_uncertainty;
     energies.dissipation         = before.energies.dissipation;
-    energies.stored              = cell_.bodies().stored_energy(state.u);
+    energies.stored = cell_.bodies().stored_energy(state.u, state.natural);
     for (unsigned int k = 0; k < contacts().size(); ++k)
       {
         const ContactSummary summary = contacts()[k]->summary(trial.contact[k]);
         energies.contact += summary.energy;
         energies.friction += summary.friction_energy;
         energies.dissipation += summary.dissipation;
+      }
+    if (stage_.type == LoadStage::Type::relax)
+      {
+        const double fraction_before = relaxed_fraction(before.load_factor);
+        const double fraction        = relaxed_fraction(state.load_factor);
+        energies.relaxation_rate =
+          relaxation_rate(state.u, trial.contact, fraction);
+        energies.dissipation +=
+          0.5 * (fraction - fraction_before) *
+          (before.energies.relaxation_rate + energies.relaxation_rate);
+        energies.work_uncertainty +=
+          0.5 * (fraction - fraction_before) *
+          std::abs(before.energies.relaxation_rate - energies.relaxation_rate);
       }
     add_work(before, state);
   }

@@ -23,6 +23,7 @@ namespace NPT
     {
       weave,   ///< bring straight bundles into their interlaced state
       release, ///< drop the auxiliary conditions of weaving
+      relax,   ///< let stress and contact pressure relax
       load     ///< drive the macroscopic components to the targets
     };
 
@@ -39,6 +40,8 @@ namespace NPT
 
     bool           friction = true;
     StepParameters steps;
+    /// Relax: fraction of the stress that is gone at the end [-].
+    double relaxed_fraction = 0;
 
     /// What the file says of type and friction; where it says `automatic`,
     /// nothing, complete() goes by the name and the type.
@@ -49,8 +52,8 @@ namespace NPT
 
     /**
      * A stage with the defaults that its name has: "weave" and "release" have
-     * steps of at most 0.1 and 1 of the stage, others of 0.05; "shear" has the
-     * target H3 = 0.2, "tension" H1 = 0.2.
+     * steps of at most 0.1 and 1 of the stage, "relax" of 0.25, others of 0.05;
+     * "shear" has the target H3 = 0.2, "tension" H1 = 0.2.
      */
     explicit LoadStage(const std::string &name);
 

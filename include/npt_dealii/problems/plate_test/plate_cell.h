@@ -82,7 +82,8 @@ namespace NPT
     /// lever arms Z3; empty: reference positions.
     Resultants
     averages(const dealii::Vector<double>        &u,
-             const std::vector<dealii::Point<3>> &woven) const;
+             const std::vector<dealii::Point<3>> &woven,
+             const NaturalState                  &natural = {}) const;
 
   private:
     FabricCell       fabric_;

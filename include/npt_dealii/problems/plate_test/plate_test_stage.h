@@ -121,6 +121,15 @@ namespace NPT
     add_energies(const State &before, const Trial &trial, State &state) const;
     void
     add_work(const State &before, State &state) const;
+    // Of a stage that relaxes.
+    double
+    relaxed_fraction(const double load_factor) const;
+    double
+    relaxation_rate(const dealii::Vector<double>            &u,
+                    const std::vector<ContactEvaluation<3>> &contact,
+                    const double                             fraction) const;
+    void
+    begin_relaxation();
     // What the release has left of the foundation.
     double
     foundation_share(const double load_factor) const;
@@ -139,6 +148,8 @@ namespace NPT
     WeavingFoundation foundation_;          // empty in a load stage
     double            friction_let_go_ = 0; // at the start [N mm]
     State             start_;
+    // Gaps of the contact nodes at the start of a relaxation, by pair.
+    std::vector<std::vector<double>> gaps_at_start_;
   };
 } // namespace NPT
 
