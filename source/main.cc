@@ -6,7 +6,11 @@
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/base/program.h>
+#include <npt_dealii/fabric_files/texgen.h>
 #include <npt_dealii/linear_algebra/blas_kernels.h>
+#include <npt_dealii/problems/plate_test/plate_test_parameters.h>
+
+#include <iostream>
 
 int
 main(int argc, char **argv)
@@ -17,5 +21,14 @@ main(int argc, char **argv)
   program.default_problem = "plate test";
   program.other_program   = "verify";
   program.other_problems  = NPT::benchmark_names();
+  program.from_texgen     = [](const std::string &file) {
+    NPT::write_parameter_file(NPT::read_texgen(file), file, std::cout);
+  };
+  program.to_texgen = [](const NPT::ParameterText       &text,
+                         const std::vector<std::string> &overrides) {
+    NPT::write_texgen(NPT::PlateTestParameters::read(text, overrides).cell,
+                      "weave",
+                      std::cout);
+  };
   return NPT::run_program(program, argc, argv, NPT::prepare_blas);
 }

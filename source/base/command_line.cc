@@ -17,6 +17,8 @@ namespace NPT
       {"--validate", CommandLine::Action::validate},
       {"--geometry-only", CommandLine::Action::geometry},
       {"--print-defaults", CommandLine::Action::print_defaults},
+      {"--from-texgen", CommandLine::Action::from_texgen},
+      {"--to-texgen", CommandLine::Action::to_texgen},
       {"--help", CommandLine::Action::help},
       {"--version", CommandLine::Action::version}};
 
@@ -215,6 +217,10 @@ Usage: npt_dealii FILE.prm [options]
   --geometry-only         write the geometry of the cell (VTU) and its sizes,
                           compute nothing
   --print-defaults        write a documented parameter file to the screen
+  --from-texgen           FILE is a weave of TexGen (.tg3): write a parameter
+                          file with its cell to the screen
+  --to-texgen             write the cell of the file as a TexGen weave to the
+                          screen
   --help                  this text
   --version               versions of this program and of deal.II
 
@@ -222,6 +228,7 @@ Examples:
   npt_dealii shear.prm
   npt_dealii shear.prm --output mu02 --set 'Friction/Friction coefficient=0.2'
   npt_dealii --print-defaults > my_test.prm
+  npt_dealii --from-texgen weave.tg3 > weave.prm
 
 Exit status: 0 done; 1 a stage could not be finished or a tolerance was missed,
 the results so far are complete; 2 the input cannot be used, nothing was

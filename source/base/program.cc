@@ -98,6 +98,20 @@ namespace NPT
     }
 
     void
+    exchange_with_texgen(const Program &program, const CommandLine &command)
+    {
+      if (!program.from_texgen || !program.to_texgen)
+        throw InputError("TexGen files are read and written by npt_dealii, "
+                         "not by " +
+                         program.name + ".");
+      if (command.action == CommandLine::Action::from_texgen)
+        program.from_texgen(command.parameter_file);
+      else
+        program.to_texgen(read_parameter_text(command.parameter_file),
+                          command.overrides);
+    }
+
+    void
     run_problem(const Program                      &program,
                 const CommandLine                  &command,
                 char                              **argv,
@@ -243,6 +257,9 @@ namespace NPT
           std::cout << program.help;
         else if (command.action == CommandLine::Action::version)
           std::cout << version_text();
+        else if (command.action == CommandLine::Action::from_texgen ||
+                 command.action == CommandLine::Action::to_texgen)
+          exchange_with_texgen(program, command);
         else
           run_problem(program, command, argv, before_computing, mpi);
         return 0;

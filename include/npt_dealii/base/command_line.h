@@ -18,14 +18,17 @@ namespace NPT
       run,
       help,
       version,
-      validate,      ///< Read and check the parameters, then stop.
-      geometry,      ///< Write the geometry of the cell, then stop.
-      print_defaults ///< Write a documented parameter file, then stop.
+      validate,       ///< Read and check the parameters, then stop.
+      geometry,       ///< Write the geometry of the cell, then stop.
+      print_defaults, ///< Write a documented parameter file, then stop.
+      from_texgen,    ///< Turn a TexGen file into a parameter file.
+      to_texgen       ///< Turn a parameter file into a TexGen file.
     };
 
     Action      action = Action::run;
     std::string parameter_file;   ///< May be empty only for the actions help,
-                                  ///< version and print_defaults.
+                                  ///< version and print_defaults. From_texgen:
+                                  ///< the TexGen file.
     std::string output_directory; ///< Empty: the one of the parameter file.
     std::vector<std::string> overrides; ///< "Subsection/Entry=value", in order.
 

@@ -5,6 +5,8 @@
 #ifndef npt_dealii_base_program_h
 #define npt_dealii_base_program_h
 
+#include <npt_dealii/base/parameter_text.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -24,6 +26,13 @@ namespace NPT
     /// stands in the same folder.
     std::string              other_program;
     std::vector<std::string> other_problems;
+
+    /// Exchange with TexGen, for its options; none: the program has no such
+    /// options. Both write to the screen.
+    std::function<void(const std::string &texgen_file)> from_texgen;
+    std::function<void(const ParameterText            &text,
+                       const std::vector<std::string> &overrides)>
+      to_texgen;
   };
 
   /**

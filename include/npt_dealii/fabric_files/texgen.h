@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Defines the exchange of weaves with TexGen: its .tg3 files in and out.
+
+#ifndef npt_dealii_fabric_files_texgen_h
+#define npt_dealii_fabric_files_texgen_h
+
+#include <npt_dealii/fabric/cell_parameters.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace NPT
+{
+  /// A weave as a file of another program describes it.
+  struct ImportedWeave
+  {
+    std::string    name; ///< of the textile
+    CellParameters cell; ///< lengths in mm
+    /// What the file says and the cell does not, one sentence each.
+    std::vector<std::string> notes;
+  };
+
+  /**
+   * Read a TexGen file (.tg3, XML) of any save mode.
+   *
+   * A `CTextileWeave2D` gives the over/under table and width, height and
+   * spacing of every yarn; where yarns are there as well (save modes Standard
+   * and Full), their sections are the ones that count, and sizes of the weave
+   * that disagree are named in a note. A `CTextile` is a weave if its yarns run
+   * along x and y: the table follows from the heights of the yarns at the
+   * crossings. X yarns are our warp. `GeometryScale` (m, cm, mm, um, in, ...)
+   * is converted to mm.
+   *
+   * Sections: ellipse, power ellipse, lenticular without distortion, rectangle
+   * (as a rounded rectangle). Bundles here have blunt edges, which TexGen's do
+   * not have; the edge of a lens or ellipse is taken thin (e = t/100), so that
+   * areas agree to 1 %.
+   *
+   * Materials are never taken: newer versions of TexGen write those of an
+   * impregnated tow into every file. A note says what stands there.
+   *
+   * Throws InputError with one sentence that names file, yarn and what was
+   * found for: no such file, no XML, no textile; layers, 3D and sheared weaves;
+   * yarns that are not equal or not equally spaced; yarns across the axes;
+   * sections that are none of the above; units that are unknown.
+   */
+  ImportedWeave
+  read_texgen(const std::string &filename);
+
+  /// A parameter file with the cell, its notes as comments, and the standard
+  /// load programme.
+  void
+  write_parameter_file(const ImportedWeave &weave,
+                       const std::string   &source,
+                       std::ostream        &out);
+
+  /**
+   * Write a cell as a TexGen weave (`CTextileWeave2D`, to be built when it is
+   * opened). read_texgen() gives the same cell again, but for the blunt tip.
+   *
+   * Throws InputError for a laminate and for sections that TexGen does not
+   * have.
+   */
+  void
+  write_texgen(const CellParameters &cell,
+               const std::string    &name,
+               std::ostream         &out);
+} // namespace NPT
+
+#endif
