@@ -24,8 +24,11 @@ namespace NPT
   {
     using Tree = boost::property_tree::ptree;
 
-    // Thin enough for the areas of TexGen, whose edges are sharp.
-    const double imported_blunt_tip = 0.01;
+    // Thin enough for the areas of TexGen, whose edges are sharp; sections that
+    // are steep at their edges need more.
+    const double thinnest_blunt_tip = 0.01, step_of_blunt_tip = 0.01;
+    // Between face and edge [degrees]; at 75 the cells count as degenerate.
+    const double steepest_edge = 72.;
 
     struct Section
     {
@@ -106,7 +109,6 @@ namespace NPT
         weave_.name            = text(textile, "name", "");
         const std::string type = text(textile, "type", "");
         scale_                 = unit(text(textile, "GeometryScale", "mm"));
-        weave_.cell.blunt_tip  = imported_blunt_tip;
         read_yarns(textile);
         if (type == "CTextileWeave2D")
           read_weave(textile);
@@ -119,6 +121,7 @@ namespace NPT
             ", and only two-dimensional weaves of straight families of yarns "
             "(CTextileWeave2D, CTextile) are read");
         set_sections();
+        set_blunt_tip();
         note_materials(textile);
         return weave_;
       }
@@ -558,14 +561,58 @@ namespace NPT
         cell.section = first->shape;
         if (cell.section == "power ellipse")
           cell.section_numbers["Section power"] = first->power;
-        // The sides of a rectangle are as high as its arcs are small.
+      }
+
+      // Edges as thin as the cells of the bundles can be.
+      void
+      set_blunt_tip()
+      {
+        CellParameters &cell = weave_.cell;
         if (cell.section == "rounded rectangle")
           {
+            // The sides of a rectangle are as high as its arcs are small.
             cell.blunt_tip = 0.45;
             weave_.notes.push_back(
               "The corners of the rectangle are rounded by a tenth of its "
               "height (Blunt tip).");
+            return;
           }
+        if (cell.section == "lens")
+          {
+            cell.blunt_tip = std::max(thinnest_blunt_tip,
+                                      0.5 * (tip_of_arcs(cell.warp_section()) +
+                                             tip_of_arcs(cell.weft_section())));
+            return;
+          }
+        cell.blunt_tip = thinnest_blunt_tip;
+        while (cell.blunt_tip < 0.3 &&
+               std::max(cell.warp_section().edge_angle(),
+                        cell.weft_section().edge_angle()) > steepest_edge)
+          cell.blunt_tip += step_of_blunt_tip;
+        if (cell.blunt_tip == thinnest_blunt_tip)
+          return;
+        BundleSection sharp = cell.warp_section();
+        sharp.tip           = 1e-9 * sharp.thickness;
+        weave_.notes.push_back(
+          "The edges of the bundles are " +
+          short_number(2. * cell.blunt_tip * sharp.thickness, 2) +
+          " mm high, where those of the file are sharp: sections are " +
+          short_number(100. * (cell.warp_section().area() / sharp.area() - 1.),
+                       2) +
+          " % larger.");
+      }
+
+      // e/t with which a lens, whose faces are parabolas of half height e at
+      // the edge, has the area w (2/3 t + 2/3 e) of two circular arcs.
+      static double
+      tip_of_arcs(const BundleSection &section)
+      {
+        const double w = section.width, h = 0.5 * section.thickness;
+        const double R     = (0.25 * w * w + h * h) / (2. * h);
+        const double angle = std::asin(std::min(1., 0.5 * w / R));
+        const double area =
+          2. * R * R * (angle - std::sin(angle) * std::cos(angle));
+        return 1.5 * area / (w * section.thickness) - 1.;
       }
 
       // Weave parameters of a file may be older than its yarns.

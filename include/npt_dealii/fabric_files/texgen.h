@@ -34,8 +34,9 @@ namespace NPT
    *
    * Sections: ellipse, power ellipse, lenticular without distortion, rectangle
    * (as a rounded rectangle). Bundles here have blunt edges, which TexGen's do
-   * not have; the edge of a lens or ellipse is taken thin (e = t/100), so that
-   * areas agree to 1 %.
+   * not have; edges are as thin as their cells can be: a lens gets the tip
+   * that gives it the area of two circular arcs, an ellipse is larger, and a
+   * note says by how much.
    *
    * Materials are never taken: newer versions of TexGen write those of an
    * impregnated tow into every file. A note says what stands there.

@@ -153,7 +153,7 @@ namespace NPT
     };
     std::vector<std::string> entries = overrides_;
     const std::string        n       = std::to_string(setting.n_elements);
-    for (const std::string &entry :
+    for (const std::string entry :
          {"Accuracy/Target=off",
           "Contact/Method=KTS",
           "Contact/Enforcement=penalty",

@@ -46,7 +46,7 @@ namespace NPT
     else if (name == "relax")
       {
         relaxed_fraction   = 1;
-        steps.initial_step = steps.maximum_step = 0.25;
+        steps.initial_step = steps.maximum_step = 0.1;
       }
     else if (name == "shear")
       H_targets[2] = 0.2;
