@@ -109,6 +109,7 @@ namespace NPT
     double end  = 1e300;
     for (const AnswerCurve *curve : {&curves.main,
                                      &curves.coarse,
+                                     &curves.base,
                                      &curves.more_layers,
                                      &curves.soft_contact,
                                      &curves.long_steps})
@@ -124,13 +125,14 @@ namespace NPT
     auto &[mesh, layers, penalty, step] = result.parts;
     for (std::size_t i = 0; i < n; ++i)
       {
-        const double t      = result.main.load_factor[i];
-        const double coarse = interpolate(curves.coarse, t);
+        const double t    = result.main.load_factor[i];
+        const double base = interpolate(curves.base, t);
         const double correction =
-          (coarse - interpolate(curves.soft_contact, t)) / (penalty_ratio - 1.);
+          (base - interpolate(curves.soft_contact, t)) / (penalty_ratio - 1.);
         result.value.push_back(result.main.y[i] + correction);
-        mesh.push_back(std::abs(result.main.y[i] - coarse));
-        layers.push_back(std::abs(interpolate(curves.more_layers, t) - coarse));
+        mesh.push_back(
+          std::abs(result.main.y[i] - interpolate(curves.coarse, t)));
+        layers.push_back(std::abs(interpolate(curves.more_layers, t) - base));
         penalty.push_back(0.5 * std::abs(correction));
         // Between its own steps a longer step would be compared with a chord.
         const auto &own = curves.long_steps.load_factor;
@@ -139,7 +141,7 @@ namespace NPT
             return std::abs(other - t) < 1e-9;
           });
         step.push_back(
-          met ? std::abs(interpolate(curves.long_steps, t) - coarse) : 0.);
+          met ? std::abs(interpolate(curves.long_steps, t) - base) : 0.);
       }
 
     result.bar.assign(n, 0.);

@@ -88,6 +88,7 @@ TEST_CASE("An error by the penalty is extrapolated away, and half of the "
   const Probes<AnswerCurve> runs = {curve(soft(1.)),
                                     curve(soft(1.)),
                                     curve(soft(1.)),
+                                    curve(soft(1.)),
                                     curve(soft(penalty_ratio)),
                                     curve(soft(1.), 5)};
   const ErrorBars           bars = estimate_errors(runs);
@@ -114,9 +115,10 @@ TEST_CASE("Errors of second order by the mesh lie within the bar, also where "
   const double              h    = 0.1;
   const Probes<AnswerCurve> runs = {curve(on(h), 20),
                                     curve(on(1.4 * h), 20),
-                                    curve(on(1.4 * h), 20),
-                                    curve(on(1.4 * h), 20),
-                                    curve(on(1.4 * h), 10)};
+                                    curve(on(2. * h), 20),
+                                    curve(on(2. * h), 20),
+                                    curve(on(2. * h), 20),
+                                    curve(on(2. * h), 10)};
   const ErrorBars           bars = estimate_errors(runs);
   for (std::size_t i = 0; i < bars.value.size(); ++i)
     {
@@ -136,8 +138,12 @@ TEST_CASE("A run that ends early shortens the curve to what all have reached",
   early.load_factor.resize(6);
   early.x.resize(6);
   early.y.resize(6);
-  const ErrorBars bars = estimate_errors(
-    {curve(line), early, curve(line), curve(line), curve(line, 5)});
+  const ErrorBars bars = estimate_errors({curve(line),
+                                          early,
+                                          curve(line),
+                                          curve(line),
+                                          curve(line),
+                                          curve(line, 5)});
   CHECK(bars.value.size() == 6);
   CHECK(bars.relative < 1e-15);
 }

@@ -45,7 +45,8 @@ namespace NPT
   struct Probes
   {
     T main;         ///< the setting itself
-    T coarse;       ///< coarser mesh; all others differ from this one
+    T coarse;       ///< the same on the next coarser mesh
+    T base;         ///< on a coarse mesh, from which the following differ
     T more_layers;  ///< one element more through the thickness
     T soft_contact; ///< penalties divided by `penalty_ratio`
     T long_steps;   ///< twice the load step
@@ -55,13 +56,13 @@ namespace NPT
   /**
    * A curve with its error bar. At every step of the main run
    *
-   * @f[ y = y_{main} + \frac{y_{coarse} - y_{soft}}{r - 1}, \qquad
+   * @f[ y = y_{main} + \frac{y_{base} - y_{soft}}{r - 1}, \qquad
    *     e = \sum_s e_s , @f]
    *
    * because the error by a penalty is proportional to its inverse; r is
    * penalty_ratio. The parts are e_mesh = |y_main - y_coarse|, e_layers =
-   * |y_layers - y_coarse|, e_penalty = half of the correction, and e_step =
-   * |y_long - y_coarse|, each the largest at the step and its two neighbors:
+   * |y_layers - y_base|, e_penalty = half of the correction, and e_step =
+   * |y_long - y_base|, each the largest at the step and its two neighbors:
    * two curves that cross are not exact where they cross. e_mesh is what
    * Richardson's extrapolation would give for an error of second order if the
    * coarser mesh has 1.4 times larger elements; the mesh is not extrapolated,

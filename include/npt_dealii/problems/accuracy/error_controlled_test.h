@@ -11,6 +11,7 @@
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 
 #include <iosfwd>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -100,6 +101,9 @@ namespace NPT
     std::ostream                  &screen_;
     double                         cpu_seconds_      = 0;
     double                         last_cpu_seconds_ = 0; // of the last round
+    double                         last_main_cpu_seconds_ = 0;
+    unsigned int                   base_mesh_             = 0;
+    std::set<std::string>          counted_; // folders of runs
     std::vector<std::string>       history_;
   };
 } // namespace NPT
