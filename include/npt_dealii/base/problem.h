@@ -54,6 +54,9 @@ namespace NPT
     /// Whether one process alone needs MPI to compute: the solver MUMPS does.
     /// Several processes always have it, and none that only reads.
     bool needs_mpi = true;
+
+    /// Whether --continue means something.
+    bool can_continue = false;
   };
 
 
