@@ -2,6 +2,9 @@
 // Folders, results and table of the cases of a study.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/interruption.h>
+#include <npt_dealii/base/ranks.h>
+#include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/io/table_file.h>
@@ -131,7 +134,10 @@ namespace NPT
     {
       try
         {
-          return read_run_summary((folder / "summary.csv").string());
+          const RunSummary summary =
+            read_run_summary((folder / "summary.csv").string());
+          if (summary.status != "running")
+            return summary;
         }
       catch (const InputError &)
         {
@@ -182,8 +188,11 @@ namespace NPT
               const double        cpu_seconds,
               const SweepOptions &options)
     {
-      RunSummary summary     = what_remains(folder);
-      summary.cpu_seconds    = cpu_seconds;
+      RunSummary summary = what_remains(folder);
+      // Of a case that went on, those of all its processes.
+      summary.cpu_seconds    = options.continues ?
+                                 std::max(summary.cpu_seconds, cpu_seconds) :
+                                 cpu_seconds;
       const std::string said = last_words(folder);
 
       if (wall_limit_hit ||
@@ -227,6 +236,9 @@ namespace NPT
                       "not started",
                       options.program + " cannot be started.");
               break;
+            case 4:
+              set_end(summary, "crashed", "output", said);
+              break;
             default:
               set_end(summary, "crashed", "unexpected error", said);
           }
@@ -239,12 +251,15 @@ namespace NPT
       Clock::time_point start;
     };
 
-    // A summary left by an earlier run must not be taken for this one's.
+    // A summary left by an earlier run must not be taken for this one's; one
+    // that goes on needs its files.
     void
-    clean_folder(const fs::path &folder)
+    clean_folder(const fs::path &folder, const SweepOptions &options)
     {
-      for (const char *name : {"summary.csv", "curves.csv", "result.csv"})
-        fs::remove(folder / name);
+      fs::remove(folder / "result.csv");
+      if (!options.continues)
+        for (const char *name : {"summary.csv", "curves.csv"})
+          fs::remove(folder / name);
     }
 
     bool
@@ -381,7 +396,7 @@ namespace NPT
               if (seen.insert(folder).second &&
                   !has_worthy_result(study / folder, options))
                 {
-                  clean_folder(study / folder);
+                  clean_folder(study / folder, options);
                   to_run.push_back(folder);
                 }
             }
@@ -421,17 +436,44 @@ namespace NPT
       {
         while (next_ < to_run_.size() || !running_.empty())
           {
-            for (; next_ < to_run_.size() && running_.size() < n_slots_;
+            if (Interruption::requested())
+              end_all();
+            for (; next_ < to_run_.size() && running_.size() < n_slots_ &&
+                   is_available(to_run_[next_]);
                  ++next_)
               start(next_);
             for (auto run = running_.begin(); run != running_.end();)
               run = has_ended(*run) ? running_.erase(run) : std::next(run);
-            if (!running_.empty())
+            if (next_ < to_run_.size() || !running_.empty())
               std::this_thread::sleep_for(std::chrono::milliseconds(20));
           }
       }
 
     private:
+      // No more cases; those that run finish their load step.
+      void
+      end_all()
+      {
+        next_ = to_run_.size();
+        if (!told_to_end_)
+          for (const auto &run : running_)
+            kill(run.first, SIGTERM);
+        told_to_end_ = true;
+      }
+
+      // A case of a study that was killed may be in its last step yet.
+      bool
+      is_available(const std::string &name)
+      {
+        if (!OutputFolder::is_in_use((study_ / name).string()))
+          return true;
+        if (waits_for_ != name)
+          log_ << "Another run uses " << name << "; waiting for its end."
+               << std::endl;
+        waits_for_ = name;
+        return false;
+      }
+
       void
       start(const std::size_t c)
       {
@@ -471,6 +513,9 @@ namespace NPT
         const double cpu = std::round(1000 * (seconds(usage.ru_utime) +
                                               seconds(usage.ru_stime))) /
                            1000;
+        // What was told to end has no result.
+        if (told_to_end_ && WIFSIGNALED(status))
+          return true;
         const fs::path   folder = study_ / to_run_[run.second.c];
         const RunSummary result =
           judge_run(folder, status, too_long, cpu, options_);
@@ -509,7 +554,9 @@ namespace NPT
       std::ostream                      &log_;
       std::map<std::string, std::string> description_; // of a folder
       std::map<pid_t, Run>               running_;
-      std::size_t                        next_ = 0;
+      std::size_t                        next_        = 0;
+      bool                               told_to_end_ = false;
+      std::string                        waits_for_; // the case said to do so
     };
   } // namespace
 
@@ -543,6 +590,10 @@ namespace NPT
     if (is_first_process())
       for (const std::string &folder : to_run)
         fs::remove(study / folder / "claim");
+    if (Ranks(MPI_COMM_WORLD).any(Interruption::requested()))
+      throw StageFailed("The study was interrupted; the option --continue goes "
+                        "on with its cases.",
+                        "interrupted");
     for (SweepCase &c : cases)
       c.result = read_run_summary((study / c.folder / "result.csv").string());
   }
