@@ -20,6 +20,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -245,6 +246,15 @@ namespace NPT
       return summary;
     }
 
+    void
+    make_folder(const fs::path &folder)
+    {
+      std::error_code error;
+      fs::create_directories(folder, error);
+      if (error)
+        throw OutputError(folder.string(), error.message());
+    }
+
     struct Run
     {
       std::size_t       c;
@@ -323,7 +333,7 @@ namespace NPT
         : study_(study)
         , options_(options)
       {
-        fs::create_directories(study / "cases");
+        make_folder(study / "cases");
         std::set<std::string> names;
         for (const auto &entry : fs::directory_iterator(study / "cases"))
           names.insert(entry.path().filename().string());
@@ -341,7 +351,7 @@ namespace NPT
             std::string number = std::to_string(++last_number_);
             number.insert(0, 4 - std::min<std::size_t>(4, number.size()), '0');
             folder = "cases/" + number;
-            fs::create_directories(study_ / folder);
+            make_folder(study_ / folder);
             replace_file((study_ / folder / "case.prm").string(),
                          [&](std::ostream &out) { out << c.parameters; });
           }
@@ -481,8 +491,10 @@ namespace NPT
         // Whoever creates the claim has the case.
         const int claim =
           open((folder / "claim").c_str(), O_WRONLY | O_CREAT | O_EXCL, 0644);
-        if (claim < 0)
+        if (claim < 0 && errno == EEXIST)
           return;
+        if (claim < 0)
+          throw OutputError((folder / "claim").string(), std::strerror(errno));
         close(claim);
         const pid_t pid = start_case(options_, folder.string());
         AssertThrow(pid > 0,

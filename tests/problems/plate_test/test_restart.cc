@@ -40,13 +40,14 @@ namespace
             "Output/Picture=false",
             "Checkpoint/Every steps=1",
             "Load programme/Stages=weave, release, shear, back",
-            "Load programme/Stage weave/Initial step=0.1",
+            "Load programme/Stage weave/Initial step=0.2",
+            "Load programme/Stage weave/Maximum step=0.2",
             "Load programme/Stage shear/Targets=H3: 0.06",
-            "Load programme/Stage shear/Initial step=0.2",
-            "Load programme/Stage shear/Maximum step=0.2",
+            "Load programme/Stage shear/Initial step=0.25",
+            "Load programme/Stage shear/Maximum step=0.25",
             "Load programme/Stage back/Targets=H3: 0.02",
-            "Load programme/Stage back/Initial step=0.2",
-            "Load programme/Stage back/Maximum step=0.2"};
+            "Load programme/Stage back/Initial step=0.5",
+            "Load programme/Stage back/Maximum step=0.5"};
   }
 
   // What a line of overrides sets.
