@@ -31,7 +31,7 @@ namespace NPT
     std::string
     unknown_option(const std::string &option)
     {
-      std::vector<std::string> options = {"--output", "--set"};
+      std::vector<std::string> options = {"--output", "--set", "--continue"};
       for (const auto &item : actions)
         options.push_back(item.first);
 
@@ -91,6 +91,9 @@ namespace NPT
         if (result_.parameter_file.empty() &&
             result_.action != CommandLine::Action::print_defaults)
           fail("the parameter file is missing, write npt_dealii FILE.prm");
+        if (result_.continues && !action_option_.empty())
+          fail("--continue and " + action_option_ +
+               " exclude each other; choose one");
         return result_;
       }
 
@@ -121,6 +124,8 @@ namespace NPT
             check_override(value);
             result_.overrides.push_back(value);
           }
+        else if (argument == "--continue")
+          result_.continues = true;
         else
           set_action(option, argument);
       }
@@ -213,6 +218,8 @@ Usage: npt_dealii FILE.prm [options]
                           the file
   --set 'Sub/Entry=value' replace one entry of the file; may be repeated, and
                           subsections within subsections are joined by '/'
+  --continue              go on where the run in the same directory was stopped;
+                          what is finished there is not computed again
   --validate              read and check the file, compute nothing
   --geometry-only         write the geometry of the cell (VTU) and its sizes,
                           compute nothing
@@ -227,13 +234,15 @@ Usage: npt_dealii FILE.prm [options]
 Examples:
   npt_dealii shear.prm
   npt_dealii shear.prm --output mu02 --set 'Friction/Friction coefficient=0.2'
+  npt_dealii shear.prm --continue
   npt_dealii --print-defaults > my_test.prm
   npt_dealii --from-texgen weave.tg3 > weave.prm
 
 Exit status: 0 done; 1 a stage could not be finished or a tolerance was missed,
 the results so far are complete; 2 the input cannot be used, nothing was
-computed; 3 an error of the program. Ctrl-C ends a plate test after its load
-step, with its results (130); a second one ends it at once.
+computed; 3 an error of the program; 4 a file could not be written. Ctrl-C ends
+a plate test after its load step, with its results (130); a second one ends it
+at once.
 )";
   }
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -131,7 +132,16 @@ namespace NPT
         throw InputError("--geometry-only shows the cell of a plate test, but "
                          "Problem is " +
                          name + ".");
-      if (std::find(others.begin(), others.end(), name) != others.end())
+      const bool is_of_other =
+        std::find(others.begin(), others.end(), name) != others.end();
+      if (command.continues &&
+          (is_of_other ||
+           (Registry<Problem>::instance().contains(name) &&
+            !Registry<Problem>::instance().get(name).can_continue)))
+        throw InputError("--continue goes on with a plate test or a parameter "
+                         "study, but Problem is " +
+                         name + "; start it without this option.");
+      if (is_of_other)
         start_beside(program, name, argv);
       if (!Registry<Problem>::instance().contains(name) ||
           !Registry<Problem>::instance().get(name).is_listed)
@@ -238,6 +248,8 @@ namespace NPT
               char                              **argv,
               const std::function<void(char **)> &before_computing)
   {
+    // A reader of the screen who leaves (`| head`) does not end the run.
+    std::signal(SIGPIPE, SIG_IGN);
     std::unique_ptr<MPISession> mpi; // if it turns out to be needed
     Failure                     failure(program, mpi);
     try
@@ -267,6 +279,10 @@ namespace NPT
     catch (const InputError &error)
       {
         return failure.end_all(error.what(), 2);
+      }
+    catch (const OutputError &error)
+      {
+        return failure.end_all(error.what(), 4);
       }
     catch (const StageFailed &error)
       {

@@ -2,11 +2,13 @@
 // The frame of gnuplot scripts, and calling gnuplot.
 
 #include <npt_dealii/io/gnuplot.h>
+#include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/io/replace_file.h>
 
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <ostream>
 #include <vector>
 
@@ -58,6 +60,11 @@ namespace NPT
                        const GnuplotPicture                      &picture,
                        const std::function<void(std::ostream &)> &write_panels)
   {
+    // gnuplot writes them, not this program.
+    for (const char *extension : {".svg", ".png"})
+      OutputFolder::note((std::filesystem::path(script).parent_path() /
+                          (picture.name + extension))
+                           .string());
     const std::string size =
       std::to_string(picture.width) + "," + std::to_string(picture.height);
     replace_file(script, [&](std::ostream &out) {

@@ -32,31 +32,32 @@ namespace NPT
 
 
 
-  RunLog::RunLog(const std::string &logfile,
-                 std::ostream      &screen,
-                 const bool         is_terminal,
-                 const bool         quiet)
+  RunLog::RunLog(const std::string      &logfile,
+                 std::ostream           &screen,
+                 const bool              is_terminal,
+                 const bool              quiet,
+                 const OutputFile::Start start)
     : screen_(screen)
     , is_terminal_(is_terminal)
     , quiet_(quiet)
   {
     if (!logfile.empty())
-      {
-        file_.open(logfile);
-        AssertThrow(file_, ExcFileNotOpen(logfile));
-      }
+      file_.emplace(logfile, start);
   }
 
 
 
   RunLog
-  RunLog::in_folder(const std::string &folder, std::ostream &screen)
+  RunLog::in_folder(const std::string      &folder,
+                    std::ostream           &screen,
+                    const OutputFile::Start start)
   {
     const bool has_folder = !folder.empty();
     return RunLog(has_folder ? folder + "/log.txt" : "",
                   screen,
                   has_folder && standard_output_is_terminal(),
-                  !has_folder);
+                  !has_folder,
+                  start);
   }
 
 
@@ -160,8 +161,8 @@ namespace NPT
   void
   RunLog::write(const std::string &text, const bool on_screen)
   {
-    if (file_.is_open())
-      file_ << text << std::endl;
+    if (file_)
+      file_->write(text + "\n");
     if (on_screen)
       {
         erase_bar();

@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/table_file.h>
 
 #include <deal.II/base/exceptions.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 namespace NPT
@@ -98,6 +100,23 @@ namespace NPT
                            "' occurs twice");
     }
 
+    // Comments, and the line with the names of the columns.
+    std::string
+    table_head(const std::string              &filename,
+               const std::vector<std::string> &column_names,
+               const std::vector<std::string> &comments)
+    {
+      Assert(!column_names.empty(),
+             dealii::ExcMessage("A table needs a column."));
+      check_column_names(column_names, filename);
+      std::string text;
+      for (const std::string &comment : comments)
+        for (const std::string &line :
+             dealii::Utilities::split_string_list(comment, '\n'))
+          text += "# " + line + "\n";
+      return text + to_line({column_names.begin(), column_names.end()}) + "\n";
+    }
+
     std::size_t
     column_index(const Table &table, const std::string &name)
     {
@@ -138,28 +157,9 @@ namespace NPT
                            const std::vector<std::string> &comments)
     : filename_(filename)
     , n_columns_(column_names.size())
+    , file_(filename)
   {
-    Assert(n_columns_ > 0, dealii::ExcMessage("A table needs a column."));
-    check_column_names(column_names, filename);
-
-    out_.open(filename, std::ios::binary | std::ios::trunc);
-    if (!out_)
-      {
-        std::filesystem::path folder =
-          std::filesystem::path(filename).parent_path();
-        if (folder.empty())
-          folder = ".";
-        throw InputError("table '" + filename + "' cannot be written; " +
-                         (std::filesystem::is_directory(folder) ?
-                            "check the permissions of its folder" :
-                            "there is no folder '" + folder.string() + "'"));
-      }
-
-    for (const std::string &comment : comments)
-      for (const std::string &line :
-           dealii::Utilities::split_string_list(comment, '\n'))
-        write_line("# " + line);
-    write_line(to_line({column_names.begin(), column_names.end()}));
+    file_.write(table_head(filename, column_names, comments));
   }
 
 
@@ -168,19 +168,25 @@ namespace NPT
   TableWriter::add_row(const std::vector<TableCell> &cells)
   {
     AssertDimension(cells.size(), n_columns_);
-    write_line(to_line(cells));
+    file_.write(to_line(cells) + "\n");
   }
 
 
 
   void
-  TableWriter::write_line(const std::string &line)
+  write_table(const std::string                         &filename,
+              const std::vector<std::string>            &column_names,
+              const std::vector<std::vector<TableCell>> &rows,
+              const std::vector<std::string>            &comments)
   {
-    out_ << line + "\n" << std::flush;
-    AssertThrow(out_,
-                dealii::ExcMessage("The table '" + filename_ +
-                                   "' cannot be written any more; the disk may "
-                                   "be full."));
+    replace_file(filename, [&](std::ostream &out) {
+      out << table_head(filename, column_names, comments);
+      for (const std::vector<TableCell> &row : rows)
+        {
+          AssertDimension(row.size(), column_names.size());
+          out << to_line(row) << '\n';
+        }
+    });
   }
 
 

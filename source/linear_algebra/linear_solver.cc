@@ -352,6 +352,22 @@ namespace NPT
 
 
 
+  bool
+  LinearSolver::expects_indefinite() const
+  {
+    return backend->expects_indefinite();
+  }
+
+
+
+  void
+  LinearSolver::expect_indefinite()
+  {
+    backend->expect_indefinite();
+  }
+
+
+
   unsigned int
   LinearSolver::n_symbolic() const
   {

@@ -248,7 +248,9 @@ namespace NPT
           *part = Part();
         matrix                  = A;
         const bool has_symmetry = has_symmetric_pattern(A);
-        try_positive_definite   = ranks.all(has_symmetry);
+        try_positive_definite   = ranks.all(has_symmetry) && !told_indefinite;
+        found_indefinite        = told_indefinite;
+        told_indefinite         = false;
         order                   = nested_dissection(A, has_symmetry, ranks);
       }
 
@@ -271,6 +273,7 @@ namespace NPT
               }
             // The next ones will be indefinite as well.
             try_positive_definite = false;
+            found_indefinite      = true;
             lower                 = Part();
           }
         if (!general.mumps)
@@ -305,6 +308,18 @@ namespace NPT
       has_factors_on_disk() const override
       {
         return in_use != nullptr && in_use->has_factors_on_disk();
+      }
+
+      bool
+      expects_indefinite() const override
+      {
+        return found_indefinite;
+      }
+
+      void
+      expect_indefinite() override
+      {
+        told_indefinite = true;
       }
 
     private:
@@ -353,6 +368,8 @@ namespace NPT
       Part             general, lower;
       MUMPSInstance   *in_use                = nullptr;
       bool             try_positive_definite = true;
+      bool             found_indefinite      = false;
+      bool             told_indefinite       = false;
     };
   } // namespace
 

@@ -33,12 +33,22 @@ namespace NPT
                    const StepParameters     &steps,
                    const std::string        &name,
                    const Predictor           predictor,
-                   const Visitor            &visitor)
+                   const Visitor            &visitor,
+                   const StageMemory        *from)
   {
     State                state = start;
     std::optional<State> previous; // for the extrapolation
     unsigned int         n_cuts = 0;
     StepControl          control(steps, name);
+    if (from != nullptr)
+      {
+        state = from->state;
+        control.go_to(from->place);
+        if (predictor == Predictor::extrapolation)
+          previous = from->previous;
+        else if (predictor == Predictor::proportional)
+          previous = start;
+      }
     while (!control.finished())
       {
         // Between steps, where state and results are complete.
@@ -85,7 +95,8 @@ namespace NPT
                  step->increment(),
                  step->trial(),
                  report,
-                 std::exchange(n_cuts, 0)});
+                 std::exchange(n_cuts, 0),
+                 control.place()});
         if (predictor == Predictor::extrapolation)
           previous = std::move(state);
         else if (predictor == Predictor::proportional)

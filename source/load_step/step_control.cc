@@ -90,6 +90,20 @@ namespace NPT
 
 
 
+  void
+  StepControl::go_to(const Place &place)
+  {
+    AssertThrow(0 <= place.position && place.position <= n_ticks &&
+                  place.step_level < 63,
+                dealii::ExcMessage("The place lies outside the stage."));
+    position    = place.position;
+    step_level  = place.step_level;
+    n_accepted_ = place.n_accepted;
+    n_cuts_     = place.n_cuts;
+  }
+
+
+
   unsigned int
   StepControl::trial_level() const
   {

@@ -195,12 +195,12 @@ TEST_CASE("A mistake in a table is reported with column and line", "[base]")
 
 
 
-TEST_CASE("A table that cannot be opened is an input error", "[base]")
+TEST_CASE("A table that cannot be opened is an error", "[base]")
 {
   CHECK_THROWS_WITH(read_table("no/such.csv"), "table 'no/such.csv' not found");
   CHECK_THROWS_WITH(read_table("/"), "table '/' is a directory");
-  CHECK_THROWS_WITH(
-    TableWriter("no/such.csv", {"x"}),
-    "table 'no/such.csv' cannot be written; there is no folder 'no'");
+  CHECK_THROWS_WITH(TableWriter("no/such.csv", {"x"}),
+                    "The file 'no/such.csv' cannot be written: No such file or "
+                    "directory.");
   CHECK_THROWS_AS(TableWriter(file_name("x.csv"), {"x", "x"}), InputError);
 }

@@ -30,6 +30,7 @@ namespace NPT
                                   ///< version and print_defaults. From_texgen:
                                   ///< the TexGen file.
     std::string output_directory; ///< Empty: the one of the parameter file.
+    bool continues = false; ///< Go on where a run in the same directory ended.
     std::vector<std::string> overrides; ///< "Subsection/Entry=value", in order.
 
     /// Runs the program with other arguments and returns its exit status. It
@@ -44,9 +45,10 @@ namespace NPT
    *
    * Throws InputError with one sentence and a pointer to --help for an unknown
    * option, a missing or second file, an option without its value or given
-   * twice, two actions at once, and a --set without '=', name or value. (An
-   * empty value would rather be a shell variable that was never set.) If --help
-   * or --version appears anywhere, nothing else is looked at.
+   * twice, two actions at once, --continue with an action, and a --set without
+   * '=', name or value. (An empty value would rather be a shell variable that
+   * was never set.) If --help or --version appears anywhere, nothing else is
+   * looked at.
    */
   CommandLine
   parse_command_line(const int argc, const char *const *argv);

@@ -23,6 +23,20 @@ namespace NPT
   };
 
   /**
+   * A file of results cannot be written: the disk is full, a folder is read
+   * only. The program prints the sentence and ends with exit status 4.
+   */
+  class OutputError : public std::runtime_error
+  {
+  public:
+    /// @param reason What the system says, without a period.
+    OutputError(const std::string &file, const std::string &reason)
+      : std::runtime_error("The file '" + file +
+                           "' cannot be written: " + reason + ".")
+    {}
+  };
+
+  /**
    * A load step failed in a way that a smaller step may survive. The driver
    * catches exactly this family, restores the accepted state and cuts the
    * step; anything else is a bug and is not caught there.

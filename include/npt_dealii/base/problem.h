@@ -55,6 +55,9 @@ namespace NPT
     /// Several processes always have it, and none that only reads.
     bool needs_mpi = true;
 
+    /// Whether --continue means something.
+    bool can_continue = false;
+
     /// Name of the problem that runs instead for this file, or empty: a plate
     /// test with a wanted accuracy is many plate tests.
     std::function<std::string(const ParameterText &, const CommandLine &)>

@@ -46,8 +46,8 @@ namespace NPT
    * what is wrong; what one of them meets alone ends all.
    *
    * @return Exit status: 0 done, 1 the run ended early or missed a tolerance, 2
-   *   the input cannot be used, 3 an unexpected error. Messages go to standard
-   *   error.
+   *   the input cannot be used, 3 an unexpected error, 4 a file cannot be
+   *   written. Messages go to standard error; SIGPIPE is ignored from here on.
    */
   int
   run_program(const Program                      &program,

@@ -5,7 +5,9 @@
 #ifndef npt_dealii_io_run_log_h
 #define npt_dealii_io_run_log_h
 
-#include <fstream>
+#include <npt_dealii/io/output_file.h>
+
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -14,7 +16,8 @@
 namespace NPT
 {
   /**
-   * Writes each line to the screen and to a file, flushed. The log contains
+   * Writes each line to the screen and to a file, flushed; a screen that is
+   * gone (`| head`) is no error, a full disk is. The log contains
    * no date and no host, so that the logs of two runs can be compared.
    *
    * The progress bar goes to the screen only, and only if that is a terminal:
@@ -32,16 +35,20 @@ namespace NPT
      *   standard_output_is_terminal().
      * @param quiet       Only warnings and cut steps reach the screen; the
      *   file gets all.
+     * @param start       Whether an older log in the file stays.
      */
-    RunLog(const std::string &logfile,
-           std::ostream      &screen,
-           const bool         is_terminal,
-           const bool         quiet = false);
+    RunLog(const std::string      &logfile,
+           std::ostream           &screen,
+           const bool              is_terminal,
+           const bool              quiet = false,
+           const OutputFile::Start start = OutputFile::Start::empty);
 
     /// The log of a run: log.txt in a folder of results. Without a folder there
     /// is no file, and the log is quiet.
     static RunLog
-    in_folder(const std::string &folder, std::ostream &screen);
+    in_folder(const std::string      &folder,
+              std::ostream           &screen,
+              const OutputFile::Start start = OutputFile::Start::empty);
 
     /// Calls finish().
     ~RunLog();
@@ -104,11 +111,11 @@ namespace NPT
     void
     erase_bar();
 
-    std::ofstream file_;
-    std::ostream &screen_;
-    const bool    is_terminal_;
-    const bool    quiet_;
-    std::string   bar_;
+    std::optional<OutputFile> file_;
+    std::ostream             &screen_;
+    const bool                is_terminal_;
+    const bool                quiet_;
+    std::string               bar_;
   };
 
   /// Whether standard output is a terminal and not a file or a pipe.

@@ -5,7 +5,8 @@
 #ifndef npt_dealii_io_table_file_h
 #define npt_dealii_io_table_file_h
 
-#include <fstream>
+#include <npt_dealii/io/output_file.h>
+
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -81,7 +82,8 @@ namespace NPT
      * [N/mm]".
      * @param comments     Lines for a person to read: what, when, which units.
      *
-     * Throws InputError if the file cannot be written or a name occurs twice.
+     * Throws OutputError if the file cannot be written, InputError if a name
+     * occurs twice.
      */
     TableWriter(const std::string              &filename,
                 const std::vector<std::string> &column_names,
@@ -90,7 +92,7 @@ namespace NPT
     /**
      * Write a row, `add_row({step, load, "weave"})`. The number of cells must
      * be the number of columns. A line break in a text becomes a blank. Throws
-     * dealii::ExcMessage if the disk does not take the row.
+     * OutputError if the disk does not take the row.
      */
     void
     add_row(const std::vector<TableCell> &cells);
@@ -104,13 +106,19 @@ namespace NPT
     }
 
   private:
-    void
-    write_line(const std::string &line);
-
     const std::string filename_;
     const std::size_t n_columns_;
-    std::ofstream     out_;
+    OutputFile        file_;
   };
+
+
+
+  /// Write a table as a whole: the file appears complete or not at all.
+  void
+  write_table(const std::string                         &filename,
+              const std::vector<std::string>            &column_names,
+              const std::vector<std::vector<TableCell>> &rows,
+              const std::vector<std::string>            &comments = {});
 
 
 

@@ -76,6 +76,14 @@ namespace NPT
     void
     build_pattern(const std::vector<std::vector<unsigned int>> &couplings = {});
 
+    /// All couplings that the pattern has by now. A pattern built from them
+    /// again is the same.
+    const std::set<std::vector<unsigned int>> &
+    couplings() const
+    {
+      return couplings_;
+    }
+
     /// Whether there is a pattern for the present groups and couplings.
     bool
     has_pattern() const

@@ -116,6 +116,15 @@ namespace NPT
     set_near_null_space(std::vector<dealii::Vector<double>> modes,
                         const unsigned int                  n_components = 1);
 
+    /// What the solver has learned of matrices of the present pattern and what
+    /// decides how it factorizes the next one: whether they are indefinite.
+    bool
+    expects_indefinite() const;
+    /// The same for the pattern of the next factorize(), for a run that is
+    /// continued: round-off then is that of the run that was not stopped.
+    void
+    expect_indefinite();
+
     /// Set-ups of what depends on the pattern only.
     unsigned int
     n_symbolic() const;

@@ -46,6 +46,18 @@ namespace NPT
       return false;
     }
 
+    /// Whether a matrix of the present pattern was found to be indefinite
+    /// though symmetric, so that the next ones are taken to be so.
+    virtual bool
+    expects_indefinite() const
+    {
+      return false;
+    }
+    /// To be known from the next symbolic() on, for that pattern.
+    virtual void
+    expect_indefinite()
+    {}
+
     bool         is_direct    = true;
     unsigned int n_iterations = 0; ///< of the last solve()
     std::vector<dealii::Vector<double>> near_null_space;

@@ -111,6 +111,14 @@ namespace NPT
     std::vector<std::string>
     warnings(const double tolerance) const;
 
+    /// For Boost.Serialization; state_archive.h has the parts.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &stages_ &starts_;
+    }
+
   private:
     std::vector<Stage>    stages_;
     std::vector<Energies> starts_; // by stage

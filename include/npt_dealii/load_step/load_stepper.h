@@ -23,7 +23,16 @@ namespace NPT
     const Increment      &increment;
     const Trial          &trial; ///< converged: residual, contact
     const LoadStepReport &report;
-    unsigned int          n_cuts; ///< failed attempts before it
+    unsigned int          n_cuts;     ///< failed attempts before it
+    StepControl::Place    place = {}; ///< in the stage, behind the step
+  };
+
+  /// Where a stage is continued: all that LoadStepper::run() remembers.
+  struct StageMemory
+  {
+    State                state;
+    std::optional<State> previous; ///< AcceptedStep::before of the last step
+    StepControl::Place   place;
   };
 
   /**
@@ -67,6 +76,7 @@ namespace NPT
      * @param start   Accepted state, load factor 0.
      * @param name    Of the stage, for messages.
      * @param visitor Called after every accepted step.
+     * @param from    Go on from there instead of the start, if given.
      * @return The state at load factor 1.
      *
      * Throws StageFailed if the step would become smaller than allowed, if
@@ -79,7 +89,8 @@ namespace NPT
         const StepParameters     &steps,
         const std::string        &name,
         const Predictor           predictor,
-        const Visitor            &visitor);
+        const Visitor            &visitor,
+        const StageMemory        *from = nullptr);
 
   private:
     void

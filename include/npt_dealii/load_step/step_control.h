@@ -54,6 +54,24 @@ namespace NPT
     /// @param name Stage, for messages.
     StepControl(const StepParameters &parameters, const std::string &name = "");
 
+    /// How far a stage has come, for one that is continued.
+    struct Place
+    {
+      std::int64_t position   = 0; ///< ticks
+      unsigned int step_level = 0; ///< step = 2^step_level ticks
+      unsigned int n_accepted = 0;
+      unsigned int n_cuts     = 0;
+    };
+
+    Place
+    place() const
+    {
+      return {position, step_level, n_accepted_, n_cuts_};
+    }
+    /// Go on from a place of a stage with the same initial and minimum step.
+    void
+    go_to(const Place &place);
+
     /// Next load factor to try, at most 1. Must not be finished.
     double
     trial() const;

@@ -5,6 +5,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/problem.h>
 #include <npt_dealii/base/short_number.h>
+#include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/problems/accuracy/error_controlled_test.h>
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <ostream>
 
 namespace NPT
@@ -365,9 +367,9 @@ namespace NPT
       {
         const fs::path from = fs::path(directory_) / cases.main.folder / name;
         if (fs::exists(from))
-          fs::copy_file(from,
-                        fs::path(directory_) / name,
-                        fs::copy_options::overwrite_existing);
+          replace_file(directory_ + "/" + name, [&](std::ostream &out) {
+            out << std::ifstream(from).rdbuf();
+          });
       }
     {
       std::vector<std::string> columns = {
@@ -484,8 +486,10 @@ namespace NPT
       SweepOptions options;
       options.directory =
         make_output_directory(command, parameters.output.directory);
+      const OutputFolder folder(options.directory);
       options.cpu_limit = parameters.accuracy.cpu_limit;
       options.run       = command.run_again;
+      options.continues = command.continues;
       replace_file(options.directory + "/used_parameters.prm",
                    [&](std::ostream &out) { out << parameters.used_file; });
       ErrorControlledTest(
@@ -503,6 +507,7 @@ namespace NPT
                     false,
                     false,
                     false,
+                    true,
                     {},
                     false});
   } // namespace

@@ -7,6 +7,7 @@
 #include <npt_dealii/base/problem.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/base/short_number.h>
+#include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/identification/identification_report.h>
 #include <npt_dealii/problems/identification/identification_run.h>
@@ -160,10 +161,10 @@ namespace NPT
         IdentificationRunParameters::read(text, command.overrides);
       if (done_with_parameters(command, parameters))
         return;
-      run_identification(parameters,
-                         make_output_directory(command,
-                                               parameters.output.directory),
-                         std::cout);
+      const std::string directory =
+        make_output_directory(command, parameters.output.directory);
+      const OutputFolder folder(directory);
+      run_identification(parameters, directory, std::cout);
     }
 
     const Registry<Problem>::Registration

@@ -2,10 +2,12 @@
 // The problem "material test": its registration.
 
 #include <npt_dealii/base/problem.h>
+#include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/problems/material_test/material_test_parameters.h>
 #include <npt_dealii/problems/material_test/numerical_material_testing.h>
 
 #include <iostream>
+#include <string>
 
 namespace NPT
 {
@@ -18,10 +20,10 @@ namespace NPT
         MaterialTestParameters::read(text, command.overrides);
       if (done_with_parameters(command, parameters))
         return;
-      NumericalMaterialTesting test(
-        parameters,
-        make_output_directory(command, parameters.output.directory),
-        std::cout);
+      const std::string directory =
+        make_output_directory(command, parameters.output.directory);
+      const OutputFolder       folder(directory);
+      NumericalMaterialTesting test(parameters, directory, std::cout);
       test.run();
     }
 

@@ -2,7 +2,9 @@
 // Running a study, and what is made of the finished cases.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/interruption.h>
 #include <npt_dealii/base/problem.h>
+#include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/parameter_study/parameter_study.h>
 #include <npt_dealii/problems/parameter_study/stability_map.h>
@@ -27,6 +29,13 @@ namespace NPT
   namespace
   {
     using Details = StudyParameters::Details;
+
+    bool
+    is_first_of_study()
+    {
+      return !dealii::Utilities::MPI::job_supports_mpi() ||
+             dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    }
 
     bool
     is_number(const std::string &text)
@@ -313,11 +322,11 @@ namespace NPT
   run_parameter_study(const StudyParameters &study,
                       const std::string     &directory,
                       std::ostream          &screen,
-                      const std::function<int(std::vector<std::string>)> &run)
+                      const std::function<int(std::vector<std::string>)> &run,
+                      const bool continues)
   {
-    const bool first =
-      !dealii::Utilities::MPI::job_supports_mpi() ||
-      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    const Interruption interruption;
+    const bool         first = is_first_of_study();
     if (first)
       replace_file(directory + "/used_study.prm", [&](std::ostream &out) {
         out << study.used_file_in(directory);
@@ -336,6 +345,7 @@ namespace NPT
     options.cpu_limit    = study.cpu_limit;
     options.repeat       = study.repeat;
     options.run          = run;
+    options.continues    = continues;
     run_cases(all, options, screen);
     if (!first)
       return;
@@ -385,16 +395,17 @@ namespace NPT
         std::cout << parameters.cases.size() << " cases: ";
       if (done_with_parameters(command, parameters))
         return;
-      run_parameter_study(parameters,
-                          make_output_directory(command, parameters.directory),
-                          std::cout,
-                          command.run_again);
+      const std::string directory =
+        make_output_directory(command, parameters.directory);
+      const OutputFolder folder(is_first_of_study() ? directory : "");
+      run_parameter_study(
+        parameters, directory, std::cout, command.run_again, command.continues);
     }
 
     // One process needs no MPI, and must have none to hand out copies of itself
     // to the cases.
     const Registry<Problem>::Registration registration(
       "parameter study",
-      {3, "a study of many plate tests", start, false, true, false});
+      {3, "a study of many plate tests", start, false, true, false, true});
   } // namespace
 } // namespace NPT

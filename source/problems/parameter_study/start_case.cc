@@ -2,6 +2,7 @@
 // The process of one case: a copy of this one, or a program started anew.
 
 #include <npt_dealii/base/mpi_session.h>
+#include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/problems/parameter_study/start_case.h>
 
 #include <deal.II/base/mpi.h>
@@ -131,6 +132,7 @@ namespace NPT
              const std::vector<std::string> &arguments) noexcept
     {
       forget_signal_handlers();
+      OutputFolder::leave_all();
       for (const auto &[name, value] : one_thread)
         setenv(name.c_str(), value.c_str(), 1);
       for (std::ostream *stream : {&std::cout, &std::cerr, &std::clog})
@@ -152,12 +154,14 @@ namespace NPT
     // All memory for execve() is taken before fork(): where there are threads,
     // those of MPI, only calls that are safe in a signal handler are allowed
     // between the two.
-    const std::string screen                       = folder + "/screen.txt",
-                      error                        = folder + "/error.txt";
-    std::vector<std::string> arguments             = {folder + "/case.prm",
-                                                      "--output",
-                                                      folder},
-                             program_and_arguments = arguments,
+    const std::string screen           = folder + "/screen.txt",
+                      error            = folder + "/error.txt";
+    std::vector<std::string> arguments = {folder + "/case.prm",
+                                          "--output",
+                                          folder};
+    if (options.continues)
+      arguments.push_back("--continue");
+    std::vector<std::string> program_and_arguments = arguments,
                              environment           = environment_of_program();
     program_and_arguments.insert(program_and_arguments.begin(),
                                  options.program);

@@ -2,6 +2,9 @@
 // Folders, results and table of the cases of a study.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/interruption.h>
+#include <npt_dealii/base/ranks.h>
+#include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/io/table_file.h>
@@ -17,6 +20,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -131,7 +135,10 @@ namespace NPT
     {
       try
         {
-          return read_run_summary((folder / "summary.csv").string());
+          const RunSummary summary =
+            read_run_summary((folder / "summary.csv").string());
+          if (summary.status != "running")
+            return summary;
         }
       catch (const InputError &)
         {
@@ -182,8 +189,11 @@ namespace NPT
               const double        cpu_seconds,
               const SweepOptions &options)
     {
-      RunSummary summary     = what_remains(folder);
-      summary.cpu_seconds    = cpu_seconds;
+      RunSummary summary = what_remains(folder);
+      // Of a case that went on, those of all its processes.
+      summary.cpu_seconds    = options.continues ?
+                                 std::max(summary.cpu_seconds, cpu_seconds) :
+                                 cpu_seconds;
       const std::string said = last_words(folder);
 
       if (wall_limit_hit ||
@@ -227,10 +237,22 @@ namespace NPT
                       "not started",
                       options.program + " cannot be started.");
               break;
+            case 4:
+              set_end(summary, "crashed", "output", said);
+              break;
             default:
               set_end(summary, "crashed", "unexpected error", said);
           }
       return summary;
+    }
+
+    void
+    make_folder(const fs::path &folder)
+    {
+      std::error_code error;
+      fs::create_directories(folder, error);
+      if (error)
+        throw OutputError(folder.string(), error.message());
     }
 
     struct Run
@@ -239,12 +261,15 @@ namespace NPT
       Clock::time_point start;
     };
 
-    // A summary left by an earlier run must not be taken for this one's.
+    // A summary left by an earlier run must not be taken for this one's; one
+    // that goes on needs its files.
     void
-    clean_folder(const fs::path &folder)
+    clean_folder(const fs::path &folder, const SweepOptions &options)
     {
-      for (const char *name : {"summary.csv", "curves.csv", "result.csv"})
-        fs::remove(folder / name);
+      fs::remove(folder / "result.csv");
+      if (!options.continues)
+        for (const char *name : {"summary.csv", "curves.csv"})
+          fs::remove(folder / name);
     }
 
     bool
@@ -308,7 +333,7 @@ namespace NPT
         : study_(study)
         , options_(options)
       {
-        fs::create_directories(study / "cases");
+        make_folder(study / "cases");
         std::set<std::string> names;
         for (const auto &entry : fs::directory_iterator(study / "cases"))
           names.insert(entry.path().filename().string());
@@ -326,7 +351,7 @@ namespace NPT
             std::string number = std::to_string(++last_number_);
             number.insert(0, 4 - std::min<std::size_t>(4, number.size()), '0');
             folder = "cases/" + number;
-            fs::create_directories(study_ / folder);
+            make_folder(study_ / folder);
             replace_file((study_ / folder / "case.prm").string(),
                          [&](std::ostream &out) { out << c.parameters; });
           }
@@ -381,7 +406,7 @@ namespace NPT
               if (seen.insert(folder).second &&
                   !has_worthy_result(study / folder, options))
                 {
-                  clean_folder(study / folder);
+                  clean_folder(study / folder, options);
                   to_run.push_back(folder);
                 }
             }
@@ -421,17 +446,44 @@ namespace NPT
       {
         while (next_ < to_run_.size() || !running_.empty())
           {
-            for (; next_ < to_run_.size() && running_.size() < n_slots_;
+            if (Interruption::requested())
+              end_all();
+            for (; next_ < to_run_.size() && running_.size() < n_slots_ &&
+                   is_available(to_run_[next_]);
                  ++next_)
               start(next_);
             for (auto run = running_.begin(); run != running_.end();)
               run = has_ended(*run) ? running_.erase(run) : std::next(run);
-            if (!running_.empty())
+            if (next_ < to_run_.size() || !running_.empty())
               std::this_thread::sleep_for(std::chrono::milliseconds(20));
           }
       }
 
     private:
+      // No more cases; those that run finish their load step.
+      void
+      end_all()
+      {
+        next_ = to_run_.size();
+        if (!told_to_end_)
+          for (const auto &run : running_)
+            kill(run.first, SIGTERM);
+        told_to_end_ = true;
+      }
+
+      // A case of a study that was killed may be in its last step yet.
+      bool
+      is_available(const std::string &name)
+      {
+        if (!OutputFolder::is_in_use((study_ / name).string()))
+          return true;
+        if (waits_for_ != name)
+          log_ << "Another run uses " << name << "; waiting for its end."
+               << std::endl;
+        waits_for_ = name;
+        return false;
+      }
+
       void
       start(const std::size_t c)
       {
@@ -439,8 +491,10 @@ namespace NPT
         // Whoever creates the claim has the case.
         const int claim =
           open((folder / "claim").c_str(), O_WRONLY | O_CREAT | O_EXCL, 0644);
-        if (claim < 0)
+        if (claim < 0 && errno == EEXIST)
           return;
+        if (claim < 0)
+          throw OutputError((folder / "claim").string(), std::strerror(errno));
         close(claim);
         const pid_t pid = start_case(options_, folder.string());
         AssertThrow(pid > 0,
@@ -471,6 +525,9 @@ namespace NPT
         const double cpu = std::round(1000 * (seconds(usage.ru_utime) +
                                               seconds(usage.ru_stime))) /
                            1000;
+        // What was told to end has no result.
+        if (told_to_end_ && WIFSIGNALED(status))
+          return true;
         const fs::path   folder = study_ / to_run_[run.second.c];
         const RunSummary result =
           judge_run(folder, status, too_long, cpu, options_);
@@ -509,7 +566,9 @@ namespace NPT
       std::ostream                      &log_;
       std::map<std::string, std::string> description_; // of a folder
       std::map<pid_t, Run>               running_;
-      std::size_t                        next_ = 0;
+      std::size_t                        next_        = 0;
+      bool                               told_to_end_ = false;
+      std::string                        waits_for_; // the case said to do so
     };
   } // namespace
 
@@ -543,6 +602,10 @@ namespace NPT
     if (is_first_process())
       for (const std::string &folder : to_run)
         fs::remove(study / folder / "claim");
+    if (Ranks(MPI_COMM_WORLD).any(Interruption::requested()))
+      throw StageFailed("The study was interrupted; the option --continue goes "
+                        "on with its cases.",
+                        "interrupted");
     for (SweepCase &c : cases)
       c.result = read_run_summary((study / c.folder / "result.csv").string());
   }

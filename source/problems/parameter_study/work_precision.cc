@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
+#include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/problems/parameter_study/work_precision.h>
 #include <npt_dealii/problems/plate_results/study_plots.h>
@@ -13,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <ostream>
+#include <sstream>
 
 namespace NPT
 {
@@ -386,21 +388,21 @@ namespace NPT
                           const std::vector<WorkGroup>      &groups,
                           const std::vector<Recommendation> &recommendations)
     {
-      TableWriter   table(directory + "/recommended.csv",
+      TableWriter        table(directory + "/recommended.csv",
                         {"accuracy",
-                           "curve",
-                           "cpu_seconds",
-                           "error",
-                           "end_error",
-                           "reference_error",
-                           "case",
-                           "setting",
-                           "remark"},
+                                "curve",
+                                "cpu_seconds",
+                                "error",
+                                "end_error",
+                                "reference_error",
+                                "case",
+                                "setting",
+                                "remark"},
                         {"The cheapest setting whose error is within the "
-                             "accuracy; 'all': one setting for all curves, CPU "
-                             "seconds together, largest error. Error of the "
-                             "reference: the difference of the two finest."});
-      std::ofstream text(directory + "/recommended.txt");
+                                       "accuracy; 'all': one setting for all curves, CPU "
+                                       "seconds together, largest error. Error of the "
+                                       "reference: the difference of the two finest."});
+      std::ostringstream text;
       text << "Recommended settings: the cheapest within each accuracy "
               "(relative L2 error of the curve).\n\n";
       for (const WorkGroup &group : groups)
@@ -428,6 +430,8 @@ namespace NPT
             text << "\n  (" << r.remark << ")";
           text << '\n';
         }
+      replace_file(directory + "/recommended.txt",
+                   [&](std::ostream &out) { out << text.str(); });
     }
 
 

@@ -2,6 +2,7 @@
 // The columns of curves.csv, stated once for writing, reading and plotting.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/plate_results/curve_column.h>
 #include <npt_dealii/problems/plate_results/curve_writer.h>
 
@@ -9,7 +10,9 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <fstream>
 #include <map>
+#include <sstream>
 #include <type_traits>
 
 namespace NPT
@@ -260,13 +263,26 @@ namespace NPT
 
 
 
-  CurveWriter::CurveWriter(const std::string &filename)
-    : filename_(filename)
-    , file_(filename)
+  CurveWriter::CurveWriter(const std::string           &filename,
+                           const std::vector<CurveRow> &rows)
   {
-    AssertThrow(file_, ExcFileNotOpen(filename));
-    write_header(file_);
-    file_.flush();
+    const auto write_all = [&](std::ostream &out) {
+      write_header(out);
+      for (const CurveRow &row : rows)
+        write_row(out, row);
+    };
+    // Rows of a run that is continued are never missing, not even in between.
+    if (!rows.empty())
+      replace_file(filename, write_all);
+    file_ =
+      std::make_unique<OutputFile>(filename,
+                                   rows.empty() ? OutputFile::Start::empty :
+                                                  OutputFile::Start::end);
+    if (!rows.empty())
+      return;
+    std::ostringstream text;
+    write_all(text);
+    file_->write(text.str());
   }
 
 
@@ -274,11 +290,9 @@ namespace NPT
   void
   CurveWriter::write(const CurveRow &row)
   {
-    write_row(file_, row);
-    file_.flush();
-    AssertThrow(file_,
-                ExcMessage("Writing " + filename_ +
-                           " failed; is the disk full?"));
+    std::ostringstream text;
+    write_row(text, row);
+    file_->write(text.str());
   }
 
 

@@ -2,12 +2,12 @@
 // Rigidity and hysteresis of closed loops, as numbers, as text, as a table.
 
 #include <npt_dealii/base/short_number.h>
+#include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/plate_results/driving_component.h>
 #include <npt_dealii/problems/plate_results/hysteresis.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <string>
 
@@ -215,19 +215,20 @@ namespace NPT
   void
   write_hysteresis(const std::string &filename, const HysteresisLoop &loop)
   {
-    std::ofstream file(filename);
-    file.precision(10);
-    const MacroMode &mode = MacroModes::table[loop.component];
-    file << "# Last closed loop of n over H: rigidity at 0.2 to 0.6 of the "
-            "amplitude, width at 0.4 of it, after Kawabata.\n"
-         << "# Units: amplitude " << mode.unit() << ", rigidity "
-         << mode.rigidity_unit() << ", width " << mode.conjugate_unit()
-         << ", the others N/mm. Loop area = dissipation + energy growth but "
-            "for the error of the trapezoidal rule.\n"
-            "component,amplitude,rigidity,width,loop_area,dissipation,"
-            "energy_growth\n"
-         << mode.name << ',' << loop.amplitude << ',' << loop.rigidity << ','
-         << loop.width << ',' << loop.loop_area << ',' << loop.dissipation
-         << ',' << loop.energy_growth << '\n';
+    replace_file(filename, [&](std::ostream &file) {
+      file.precision(10);
+      const MacroMode &mode = MacroModes::table[loop.component];
+      file << "# Last closed loop of n over H: rigidity at 0.2 to 0.6 of the "
+              "amplitude, width at 0.4 of it, after Kawabata.\n"
+           << "# Units: amplitude " << mode.unit() << ", rigidity "
+           << mode.rigidity_unit() << ", width " << mode.conjugate_unit()
+           << ", the others N/mm. Loop area = dissipation + energy growth but "
+              "for the error of the trapezoidal rule.\n"
+              "component,amplitude,rigidity,width,loop_area,dissipation,"
+              "energy_growth\n"
+           << mode.name << ',' << loop.amplitude << ',' << loop.rigidity << ','
+           << loop.width << ',' << loop.loop_area << ',' << loop.dissipation
+           << ',' << loop.energy_growth << '\n';
+    });
   }
 } // namespace NPT

@@ -4,8 +4,6 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/problems/plate_results/run_summary.h>
 
-#include <cstdio>
-
 namespace NPT
 {
   RunSummary
@@ -66,16 +64,11 @@ namespace NPT
   void
   write_run_summary(const std::string &filename, const RunSummary &summary)
   {
-    const std::string temporary = filename + ".part";
-    {
-      TableWriter table(temporary,
-                        run_summary_columns(),
-                        {"How the run ended: last stage and the load factor "
-                         "reached in it; sums over all accepted steps."});
-      table.add_row(run_summary_cells(summary));
-    }
-    if (std::rename(temporary.c_str(), filename.c_str()) != 0)
-      throw InputError("The file '" + filename + "' cannot be written.");
+    write_table(filename,
+                run_summary_columns(),
+                {run_summary_cells(summary)},
+                {"How the run ended: last stage and the load factor reached in "
+                 "it; sums over all accepted steps."});
   }
 
 

@@ -5,6 +5,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
+#include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/problems/plate_test/cell_preview.h>
 #include <npt_dealii/problems/plate_test/coarser_weaving.h>
 #include <npt_dealii/problems/plate_test/failure_advice.h>
@@ -12,23 +13,30 @@
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
 
 #include <new>
+#include <utility>
 
 namespace NPT
 {
   using dealii::TimerOutput;
 
   NumericalPlateTesting::NumericalPlateTesting(
-    const PlateTestParameters &parameters,
-    const std::string         &directory,
-    std::ostream              &screen,
-    const Ranks               &ranks)
+    const PlateTestParameters         &parameters,
+    const std::string                 &directory,
+    std::ostream                      &screen,
+    const Ranks                       &ranks,
+    std::optional<PlateTestCheckpoint> checkpoint)
     : parameters_(parameters)
     , ranks_(ranks)
-    , log_(RunLog::in_folder(directory, screen))
+    , log_(RunLog::in_folder(directory,
+                             screen,
+                             checkpoint ? OutputFile::Start::end :
+                                          OutputFile::Start::empty))
     , timer_(screen, TimerOutput::never, TimerOutput::cpu_and_wall_times)
     , results_(parameters_, directory, log_, timer_)
     , contact_checks_(parameters_, log_)
     , linear_solver_(parameters_.linear_solver, ranks_)
+    , checkpoint_(std::move(checkpoint))
+    , last_saved_(std::chrono::steady_clock::now())
   {}
 
 
@@ -37,14 +45,19 @@ namespace NPT
   NumericalPlateTesting::run()
   {
     make_cell(); // weave pattern -> fiber bundles -> NURBS patches -> contact
-    results_.begin(*cell_);
+    if (checkpoint_)
+      resume();
+    else
+      results_.begin(*cell_);
     contact_checks_.warn_of_coarse_averages(*cell_);
 
     // Weave, release, load: every stage drives the macro unknowns to its
     // targets in load steps of adaptive length.
-    for (unsigned int i = 0; i < parameters_.load_programme.stages.size(); ++i)
+    for (unsigned int i = stage_; i < parameters_.load_programme.stages.size();
+         ++i)
       run_stage(i);
     results_.finish(*cell_, linear_solver_, system_);
+    results_.check_pictures();
   }
 
 
@@ -70,17 +83,83 @@ namespace NPT
 
 
   void
+  NumericalPlateTesting::resume()
+  {
+    state_           = checkpoint_->memory.state;
+    previous_        = checkpoint_->memory.previous;
+    place_           = checkpoint_->memory.place;
+    woven_           = checkpoint_->woven;
+    not_elliptic_in_ = checkpoint_->not_elliptic_in;
+    stage_           = checkpoint_->stage;
+    stage_start_     = checkpoint_->stage_start;
+    start_woven_     = checkpoint_->start_woven;
+    contact_checks_.set_overlap_warned_of(checkpoint_->overlap_warned_of);
+    AssertThrow(state_.u.size() == cell_->macro().n_unknowns() &&
+                  state_.contact.size() == cell_->contacts().size(),
+                dealii::ExcMessage("The checkpoint does not fit the cell."));
+    for (const std::string &difference :
+         check_fit(checkpoint_name, *checkpoint_, parameters_))
+      log_.line("Since the checkpoint: " + difference);
+    results_.resume(*cell_, checkpoint_->results);
+  }
+
+
+
+  /*
+   * Not only the state, also the round-off of the next steps is to be that of a
+   * run that was not stopped. Of several processes each has a pattern of its
+   * own, and the curve is the same to round-off only.
+   */
+  void
+  NumericalPlateTesting::resume_stage(const PlateTestStage &problem)
+  {
+    if (ranks_.is_alone() && checkpoint_->has_pattern)
+      system_.build_pattern(
+        {checkpoint_->couplings.begin(), checkpoint_->couplings.end()});
+    couplings_          = system_.couplings();
+    expects_indefinite_ = checkpoint_->expects_indefinite;
+    if (state_.load_factor == 1.)
+      return; // no more matrix of this stage
+    if (expects_indefinite_)
+      linear_solver_.expect_indefinite();
+    if (!previous_)
+      return;
+    Increment increment = problem.increment(*previous_, state_.load_factor);
+    for (unsigned int k = 0; k < state_.contact.size(); ++k)
+      {
+        increment.contact[k].multiplier    = state_.contact[k].multiplier;
+        increment.contact[k].penalty_scale = state_.contact[k].penalty_scale;
+      }
+    Trial trial;
+    trial.u = state_.u;
+    problem.evaluate(increment, trial);
+    results_.set_last_contact(trial.contact);
+  }
+
+
+
+  void
   NumericalPlateTesting::run_stage(const unsigned int index)
   {
     const LoadStage &stage = parameters_.load_programme.stages[index];
     results_.begin_stage(stage);
     contact_checks_.warn_of_unwoven_bundles(index);
+    stage_ = index;
+    if (!checkpoint_)
+      {
+        stage_start_ = state_;
+        start_woven_ = woven_;
+      }
     try
       {
-        if (index > 0 || !weave_from_coarser_mesh())
-          run_steps(index, state_, stage.steps, [&](const AcceptedStep &step) {
-            accept_step(stage, step);
-          });
+        if (checkpoint_ || index > 0 || !weave_from_coarser_mesh())
+          run_steps(index,
+                    stage_start_,
+                    stage.steps,
+                    [&](const AcceptedStep &step) {
+                      accept_step(stage, step);
+                    });
+        checkpoint_.reset();
         contact_checks_.check(*cell_, stage, state_, woven_, results_.curve());
       }
     catch (const StageFailed &failure)
@@ -119,9 +198,14 @@ namespace NPT
     const PlateTestStage problem = [&]() {
       TimerOutput::Scope timer(timer_, "Set up");
       return PlateTestStage(
-        *cell_, parameters_, index, start, woven_, system_, &timer_);
+        *cell_, parameters_, index, start, start_woven_, system_, &timer_);
     }();
-    state_ = problem.start();
+    if (checkpoint_)
+      resume_stage(problem);
+    else
+      state_ = problem.start();
+    if (checkpoint_ && state_.load_factor == 1.)
+      return; // all that is left is the end of the stage
 
     // Newton: bundles + contact; a step that fails is cut.
     LoadStepper stepper(parameters_.newton,
@@ -130,18 +214,21 @@ namespace NPT
                         linear_solver_,
                         log_,
                         &timer_);
-    stepper.run(problem,
-                problem.start(),
-                steps,
-                stage.name,
-                LoadStepper::Predictor::extrapolation,
-                [&](const AcceptedStep &step) {
-                  visitor(step);
-                  if (state_.load_factor == 1.)
-                    results_.report_supports(
-                      index,
-                      problem.support_forces(step.increment, step.trial));
-                });
+    stepper.run(
+      problem,
+      problem.start(),
+      steps,
+      stage.name,
+      LoadStepper::Predictor::extrapolation,
+      [&](const AcceptedStep &step) {
+        visitor(step);
+        if (state_.load_factor == 1.)
+          results_.report_supports(index,
+                                   problem.support_forces(step.increment,
+                                                          step.trial));
+        keep_step(step);
+      },
+      checkpoint_ ? &checkpoint_->memory : nullptr);
   }
 
 
@@ -224,6 +311,77 @@ namespace NPT
 
 
 
+  void
+  NumericalPlateTesting::keep_step(const AcceptedStep &step)
+  {
+    previous_ = step.before;
+    place_    = step.place;
+    // They only grow within a stage.
+    if (system_.couplings().size() != couplings_.size() ||
+        step.before.load_factor == 0.)
+      couplings_ = system_.couplings();
+    expects_indefinite_ = linear_solver_.expects_indefinite();
+    ++n_unsaved_steps_;
+
+    const CheckpointParameters         &due = parameters_.checkpoint;
+    const std::chrono::duration<double> elapsed =
+      std::chrono::steady_clock::now() - last_saved_;
+    if (state_.load_factor == 1. ||
+        (due.every_steps > 0 && n_unsaved_steps_ >= due.every_steps) ||
+        (due.every_minutes > 0 && elapsed.count() >= 60. * due.every_minutes))
+      save();
+  }
+
+
+
+  PlateTestCheckpoint
+  NumericalPlateTesting::make_checkpoint() const
+  {
+    PlateTestCheckpoint checkpoint;
+    checkpoint.parameters         = parameters_.used_file;
+    checkpoint.choices            = choices_of_program(parameters_);
+    checkpoint.stage              = stage_;
+    checkpoint.stage_start        = stage_start_;
+    checkpoint.start_woven        = start_woven_;
+    checkpoint.memory.state       = state_;
+    checkpoint.memory.previous    = previous_;
+    checkpoint.memory.place       = place_;
+    checkpoint.woven              = woven_;
+    checkpoint.not_elliptic_in    = not_elliptic_in_;
+    checkpoint.overlap_warned_of  = contact_checks_.overlap_warned_of();
+    checkpoint.has_pattern        = system_.has_pattern();
+    checkpoint.expects_indefinite = expects_indefinite_;
+    if (ranks_.is_alone())
+      checkpoint.couplings = couplings_;
+    else
+      checkpoint.has_pattern = false;
+    checkpoint.results = results_.memory();
+    if (const auto *folder = OutputFolder::find(results_.directory()))
+      checkpoint.files = folder->files();
+    return checkpoint;
+  }
+
+
+
+  /// The last accepted step, if it is not saved yet. Only the process that has
+  /// a folder does so.
+  void
+  NumericalPlateTesting::save()
+  {
+    if (n_unsaved_steps_ == 0 || results_.directory().empty() ||
+        !parameters_.checkpoint.is_wanted())
+      return;
+    {
+      TimerOutput::Scope timer(timer_, "Output");
+      write_checkpoint(results_.directory() + "/" + checkpoint_name,
+                       make_checkpoint());
+    }
+    n_unsaved_steps_ = 0;
+    last_saved_      = std::chrono::steady_clock::now();
+  }
+
+
+
   /*
    * Where the run does not stop at a loss of ellipticity: the first one of
    * every stage is said.
@@ -275,6 +433,7 @@ namespace NPT
   NumericalPlateTesting::give_up(const StageFailed &failure,
                                  const unsigned int index)
   {
+    save();
     const LoadStage &stage   = parameters_.load_programme.stages[index];
     std::string      account = failure.account(), reason = failure.reason();
     bool             is_elliptic = reason != "loss of ellipticity";

@@ -102,6 +102,29 @@ namespace NPT
 
 
 
+  void
+  CheckpointParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    const ParameterSubsection subsection(prm, "Checkpoint");
+    add_parameter(prm,
+                  "Every steps",
+                  every_steps,
+                  "Accepted load steps after which all that the run needs to "
+                  "go on is written to checkpoint.bin; 0: not by steps [-]. "
+                  "The option --continue goes on from there.",
+                  Patterns::Integer(0));
+    add_parameter(prm,
+                  "Every minutes",
+                  every_minutes,
+                  "The same by time: after the first load step that ends so "
+                  "long after the last checkpoint; 0: not by time [min]. There "
+                  "is also one at the end of every stage and where the run "
+                  "ends early, unless both entries are 0.",
+                  Patterns::Double(0));
+  }
+
+
+
   template <>
   const EnumNames<StabilityParameters::OnLoss> &
   enum_names<StabilityParameters::OnLoss>()
@@ -240,6 +263,7 @@ namespace NPT
     linear_solver.add_parameters(prm);
     stability.add_parameters(prm);
     output.add_parameters(prm);
+    checkpoint.add_parameters(prm);
     accuracy.add_parameters(prm);
   }
 

@@ -5,6 +5,7 @@
 #include <npt_dealii/contact/contact_fields.h>
 #include <npt_dealii/homogenization/macro_modes.h>
 #include <npt_dealii/io/gnuplot.h>
+#include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/vtu_file.h>
 #include <npt_dealii/problems/plate_results/cell_picture.h>
 #include <npt_dealii/problems/plate_results/curve_column.h>
@@ -18,7 +19,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 namespace NPT
@@ -52,8 +52,8 @@ namespace NPT
   PlateTestResults::begin_log(const PlateCell &cell)
   {
     if (!directory_.empty())
-      std::ofstream(directory_ + "/used_parameters.prm")
-        << parameters_.used_file;
+      replace_file(directory_ + "/used_parameters.prm",
+                   [&](std::ostream &out) { out << parameters_.used_file; });
     auto entries = describe_sizes(cell, parameters_);
     for (const auto &[name, value] :
          std::vector<std::pair<std::string, std::string>>{
@@ -90,6 +90,42 @@ namespace NPT
 
 
   void
+  PlateTestResults::resume(const PlateCell &cell, const Memory &memory)
+  {
+    memory_ = memory;
+    if (!memory_.curve.empty())
+      {
+        const CurveRow &last = memory_.curve.back();
+        cpu_start_ -= last.cpu_seconds;
+        log_.line("The run goes on behind step " + std::to_string(last.step) +
+                  ", stage " + last.stage + ", load factor " +
+                  short_number(last.load_factor) + ".");
+      }
+    begin_log(cell);
+    if (directory_.empty())
+      return;
+    curve_writer_ =
+      std::make_unique<CurveWriter>(directory_ + "/curves.csv", memory_.curve);
+    // Without what was written after the checkpoint.
+    if (!memory_.bundle_files.empty())
+      write_pvd(directory_ + "/fields.pvd", memory_.bundle_files);
+    if (!memory_.contact_files.empty())
+      write_pvd(directory_ + "/contact.pvd", memory_.contact_files);
+  }
+
+
+
+  void
+  PlateTestResults::set_last_contact(
+    const std::vector<ContactEvaluation<3>> &contact)
+  {
+    if (parameters_.output.fields == OutputParameters::Fields::stages)
+      last_contact_ = contact;
+  }
+
+
+
+  void
   PlateTestResults::begin_stage(const LoadStage &stage)
   {
     std::vector<unsigned int> driven;
@@ -107,22 +143,22 @@ namespace NPT
                              const AcceptedStep                  &step,
                              const std::vector<dealii::Point<3>> &woven)
   {
-    energy_balance_.add_step(stage.name,
-                             step.before.energies,
-                             step.after.energies);
+    memory_.energy_balance.add_step(stage.name,
+                                    step.before.energies,
+                                    step.after.energies);
     CurveRow         row = make_row(cell, stage, step);
     const Resultants averages =
       cell.averages(step.after.u, woven, step.after.natural);
     row.N           = averages.N;
     row.M           = averages.M;
     row.cpu_seconds = cpu_seconds();
-    curve_.push_back(row);
+    memory_.curve.push_back(row);
     if (curve_writer_)
       curve_writer_->write(row);
     step_table_.add_row(row, step.report.final_residual);
 
     const double load_factor = step.after.load_factor;
-    log_.progress((stages_done_ + load_factor) /
+    log_.progress((memory_.stages_done + load_factor) /
                     parameters_.load_programme.stages.size(),
                   cpu_seconds());
     using Fields = OutputParameters::Fields;
@@ -145,13 +181,13 @@ namespace NPT
   {
     const State &state = step.after;
     CurveRow     row;
-    row.step        = curve_.size() + 1;
+    row.step        = memory_.curve.size() + 1;
     row.stage       = stage.name;
     row.load_factor = state.load_factor;
-    if (!curve_.empty())
+    if (!memory_.curve.empty())
       {
-        row.dissipation   = curve_.back().dissipation;
-        row.external_work = curve_.back().external_work;
+        row.dissipation   = memory_.curve.back().dissipation;
+        row.external_work = memory_.curve.back().external_work;
       }
     // Weaving does work through its own offset, which is not counted.
     double work = 0;
@@ -196,7 +232,7 @@ namespace NPT
   {
     if (parameters_.output.picture)
       write_picture(cell, stage, state, woven);
-    stages_done_ += 1;
+    memory_.stages_done += 1;
   }
 
 
@@ -209,7 +245,7 @@ namespace NPT
   {
     // Else the last accepted step is the end of the stage before, which is
     // shown already.
-    if (curve_.empty() || curve_.back().stage != stage.name)
+    if (memory_.curve.empty() || memory_.curve.back().stage != stage.name)
       return;
     try
       {
@@ -237,11 +273,11 @@ namespace NPT
       return;
     TimerOutput::Scope timer(timer_, "Output");
     const auto        &bodies = cell.bodies();
-    const double       time   = stages_done_ + state.load_factor;
+    const double       time   = memory_.stages_done + state.load_factor;
     std::ostringstream number;
     number.width(4);
     number.fill('0');
-    number << curve_.size();
+    number << memory_.curve.size();
 
     const std::string bundles = "bundles-" + number.str() + ".vtu";
     write_vtu(directory_ + "/" + bundles,
@@ -250,8 +286,8 @@ namespace NPT
                                  bodies.gradients(),
                                  state.u,
                                  state.natural));
-    bundle_files_.emplace_back(time, bundles);
-    write_pvd(directory_ + "/fields.pvd", bundle_files_);
+    memory_.bundle_files.emplace_back(time, bundles);
+    write_pvd(directory_ + "/fields.pvd", memory_.bundle_files);
 
     for (unsigned int k = 0; k < cell.contacts().size(); ++k)
       {
@@ -266,9 +302,9 @@ namespace NPT
                                       *cell.contacts()[k],
                                       contact[k],
                                       state.u));
-        contact_files_.emplace_back(time, name);
+        memory_.contact_files.emplace_back(time, name);
       }
-    write_pvd(directory_ + "/contact.pvd", contact_files_);
+    write_pvd(directory_ + "/contact.pvd", memory_.contact_files);
   }
 
 
@@ -311,7 +347,8 @@ namespace NPT
     const std::string name =
       "cell_" + parameters_.load_programme.file_name(stage.name);
 
-    // A picture is not worth a run, so even a full disk does not end it here.
+    // A picture is not worth a run, so even a full disk does not end it here
+    // but at the end.
     try
       {
         write_cell_picture(directory_,
@@ -321,11 +358,12 @@ namespace NPT
                            make_picture_surfaces(cell.fabric(),
                                                  space,
                                                  picture));
-        scripts_.push_back(name + ".gp");
+        memory_.cell_scripts.push_back(name + ".gp");
       }
-    catch (const dealii::ExceptionBase &failure) // of replace_file()
+    catch (const OutputError &failure)
       {
         log_.warning(std::string("The cell is not drawn: ") + failure.what());
+        not_drawn_ = failure;
       }
   }
 
@@ -366,22 +404,25 @@ namespace NPT
   void
   PlateTestResults::draw_pictures()
   {
-    TimerOutput::Scope timer(timer_, "Output");
+    TimerOutput::Scope        timer(timer_, "Output");
+    std::vector<std::string> &cells = memory_.cell_scripts;
+    std::vector<std::string>  scripts;
     if (parameters_.output.picture)
       {
         // First, because a script that fails ends gnuplot.
         if (write_curves_script(directory_))
-          scripts_.insert(scripts_.begin(), "curves.gp");
+          scripts.push_back("curves.gp");
         else
           log_.warning(
             "There are no curves to draw: no stage has two load steps.");
       }
-    if (scripts_.empty())
+    scripts.insert(scripts.end(), cells.begin(), cells.end());
+    cells.clear();
+    if (scripts.empty())
       return;
-    const std::string warning = run_gnuplot(directory_, scripts_);
+    const std::string warning = run_gnuplot(directory_, scripts);
     if (!warning.empty())
       log_.warning(warning);
-    scripts_.clear();
   }
 
 
@@ -392,7 +433,7 @@ namespace NPT
                            ConstrainedSystem  &system)
   {
     log_.finish();
-    if (const auto loop = last_loop(curve_, cell.fabric().area()))
+    if (const auto loop = last_loop(memory_.curve, cell.fabric().area()))
       {
         log_.line(describe(*loop));
         if (!directory_.empty())
@@ -401,9 +442,12 @@ namespace NPT
     report_energies();
     warn_of_penetration();
     // All processes take part in the sums.
-    const Ranks      &ranks = cell.bodies().ranks();
+    const Ranks &ranks = cell.bodies().ranks();
+    // A run that ends between two stages has no matrix.
     const std::size_t n_nonzeros =
-      ranks.sum(static_cast<double>(system.free_matrix().n_nonzeros()));
+      ranks.sum(system.has_pattern() ?
+                  static_cast<double>(system.free_matrix().n_nonzeros()) :
+                  0.);
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);
     const double gigabytes = ranks.sum(1e-6 * memory.VmHWM);
@@ -430,12 +474,21 @@ namespace NPT
 
 
   void
+  PlateTestResults::check_pictures() const
+  {
+    if (not_drawn_)
+      throw OutputError(*not_drawn_);
+  }
+
+
+
+  void
   PlateTestResults::report_energies()
   {
-    for (const std::string &line : energy_balance_.table())
+    for (const std::string &line : memory_.energy_balance.table())
       log_.line(line);
-    for (const std::string &warning :
-         energy_balance_.warnings(parameters_.stability.energy_tolerance))
+    for (const std::string &warning : memory_.energy_balance.warnings(
+           parameters_.stability.energy_tolerance))
       log_.warning(warning);
   }
 
@@ -449,12 +502,12 @@ namespace NPT
     const double much      = 0.05;
     const double thickness = parameters_.cell.bundle_thickness.smaller();
     const auto   deepest =
-      std::max_element(curve_.begin(),
-                       curve_.end(),
+      std::max_element(memory_.curve.begin(),
+                       memory_.curve.end(),
                        [](const CurveRow &a, const CurveRow &b) {
                          return a.largest_penetration < b.largest_penetration;
                        });
-    if (deepest == curve_.end() ||
+    if (deepest == memory_.curve.end() ||
         deepest->largest_penetration <= much * thickness)
       return;
     log_.warning(

@@ -6,13 +6,14 @@
 #include <npt_dealii/base/problem.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/gnuplot.h>
+#include <npt_dealii/io/output_folder.h>
+#include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/vtu_file.h>
 #include <npt_dealii/solid/solid_fields.h>
 #include <npt_dealii/verification/contact/contact_benchmark.h>
 #include <npt_dealii/verification/contact/handle_problem.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -136,8 +137,8 @@ namespace NPT
 
     if (!directory_.empty())
       {
-        std::ofstream(directory_ + "/used_parameters.prm")
-          << parameters_.used_file;
+        replace_file(directory_ + "/used_parameters.prm",
+                     [&](std::ostream &out) { out << parameters_.used_file; });
         std::vector<std::string> columns = {"step", "stage", "load factor"};
         for (const std::string &name : model_.handles)
           {
@@ -349,10 +350,10 @@ namespace NPT
         ContactBenchmarkParameters::read(text, command.overrides);
       if (done_with_parameters(command, parameters))
         return;
-      ContactBenchmark benchmark(
-        parameters,
-        make_output_directory(command, parameters.output.directory),
-        std::cout);
+      const std::string directory =
+        make_output_directory(command, parameters.output.directory);
+      const OutputFolder folder(directory);
+      ContactBenchmark   benchmark(parameters, directory, std::cout);
       benchmark.run();
     }
 

@@ -7,6 +7,7 @@
 #include <npt_dealii/base/problem.h>
 #include <npt_dealii/iga/iga_surface.h>
 #include <npt_dealii/iga/iga_values.h>
+#include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/verification/solids/benchmark_bodies.h>
 #include <npt_dealii/verification/solids/driven_solid.h>
@@ -470,10 +471,10 @@ namespace NPT
         SolidBenchmarkParameters::read(text, command.overrides);
       if (done_with_parameters(command, parameters))
         return;
-      SolidBenchmark benchmark(parameters,
-                               make_output_directory(command,
-                                                     parameters.directory),
-                               std::cout);
+      const std::string directory =
+        make_output_directory(command, parameters.directory);
+      const OutputFolder folder(directory);
+      SolidBenchmark     benchmark(parameters, directory, std::cout);
       benchmark.run();
     }
 

@@ -3,9 +3,11 @@
 // script of the shell that does what its parameter file says.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/interruption.h>
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/problems/parameter_study/stability_map.h>
 #include <npt_dealii/problems/parameter_study/sweep.h>
+#include <npt_dealii/problems/plate_results/curve_writer.h>
 
 #include <catch2/catch.hpp>
 
@@ -244,4 +246,75 @@ TEST_CASE("A stability map has one row per cell and names each outcome",
   CHECK(table.column("iterations_per_step")[0] == 3.5);
   CHECK(table.text_column("Normal penalty")[3] == "100");
   CHECK(table.text_column("Initial step")[3] == "0.2");
+}
+
+
+
+TEST_CASE("A study that is interrupted ends its cases and goes on with them",
+          "[study]")
+{
+  const fs::path folder  = make_study("interrupted");
+  SweepOptions   options = options_for(folder);
+  // The first start waits for a signal and says that it came.
+  auto cases = make_cases(
+    {"echo $4 >> options; [ -e told ] && exit 0; trap 'echo x > told; trap - "
+     "TERM; kill -TERM $$' TERM; kill -TERM $PPID; while :; do sleep 0.1; done",
+     "exit 0"});
+  options.side_by_side = 1;
+  std::ostringstream log;
+  {
+    const Interruption interruption;
+    try
+      {
+        run_cases(cases, options, log);
+        FAIL("The study was not interrupted.");
+      }
+    catch (const StageFailed &failure)
+      {
+        CHECK(failure.reason() == "interrupted");
+      }
+  }
+  CHECK(fs::exists(folder / "cases" / "0001" / "told"));
+  CHECK_FALSE(fs::exists(folder / "cases" / "0001" / "result.csv"));
+  CHECK_FALSE(fs::exists(folder / "cases" / "0002" / "started"));
+
+  options.continues = true;
+  run_cases(cases, options, log);
+  CHECK(cases[0].result.status == "done");
+  CHECK(cases[1].result.status == "done");
+  std::ifstream given(folder / "cases" / "0001" / "options");
+  std::string   first, second;
+  std::getline(given, first);
+  std::getline(given, second);
+  CHECK(first.empty());
+  CHECK(second == "--continue");
+}
+
+
+
+TEST_CASE("Of a case that was killed the curve says how far it came", "[study]")
+{
+  const fs::path     folder = make_study("killed");
+  auto               cases  = make_cases({"kill -KILL $$"});
+  std::ostringstream log;
+  // What a run had written by then.
+  fs::create_directories(folder / "cases" / "0001");
+  std::ofstream(folder / "cases" / "0001" / "case.prm") << cases[0].parameters;
+  RunSummary summary;
+  summary.status = "running";
+  write_run_summary((folder / "cases" / "0001" / "summary.csv").string(),
+                    summary);
+  CurveRow row;
+  row.step        = 1;
+  row.stage       = "weave";
+  row.load_factor = 0.5;
+  CurveWriter((folder / "cases" / "0001" / "curves.csv").string()).write(row);
+
+  SweepOptions options = options_for(folder);
+  options.continues    = true; // which leaves these files
+  run_cases(cases, options, log);
+  CHECK(cases[0].result.status == "crashed");
+  CHECK(cases[0].result.stage == "weave");
+  CHECK(cases[0].result.load_factor == 0.5);
+  CHECK(cases[0].result.steps == 1);
 }

@@ -21,15 +21,20 @@ namespace NPT
    * @param run Runs the program with other arguments, for the cases; see
    *   SweepOptions. Without it the program is started anew for each case.
    *
-   * Throws StageFailed if the reference of a work-precision study failed;
-   * other cases may fail, the tables say how.
+   * @param continues Cases that were stopped go on where they were; else they
+   *   begin anew.
+   *
+   * Throws StageFailed if the reference of a work-precision study failed
+   * (other cases may fail, the tables say how), or if the study is interrupted:
+   * its cases then have ended as plate tests do, and the tables are missing.
    */
   void
   run_parameter_study(
     const StudyParameters                              &parameters,
     const std::string                                  &directory,
     std::ostream                                       &screen,
-    const std::function<int(std::vector<std::string>)> &run = {});
+    const std::function<int(std::vector<std::string>)> &run       = {},
+    const bool                                          continues = false);
 } // namespace NPT
 
 #endif

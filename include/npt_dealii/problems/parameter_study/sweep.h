@@ -51,6 +51,9 @@ namespace NPT
     /// Run finished cases again.
     bool repeat = false;
 
+    /// Cases that were stopped go on where they were, by --continue.
+    bool continues = false;
+
     /// Started as `program FOLDER/case.prm --output FOLDER`.
     std::string program = "/proc/self/exe";
 
@@ -79,6 +82,9 @@ namespace NPT
    * Every run is a process of its own: whatever happens to it, the others go
    * on. CPU seconds are those of the whole process, start-up included. It runs
    * with one thread. See start_case().
+   *
+   * While an object Interruption lives, a signal to end is handed on to the
+   * cases, which end as plate tests do; then StageFailed is thrown.
    *
    * Collective over MPI_COMM_WORLD if MPI is initialized: the processes take
    * the next case each by creating the file `claim` in its folder, which must

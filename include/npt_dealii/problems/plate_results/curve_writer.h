@@ -6,13 +6,14 @@
 #define npt_dealii_problems_plate_results_curve_writer_h
 
 #include <npt_dealii/homogenization/macro_modes.h>
+#include <npt_dealii/io/output_file.h>
 
 #include <deal.II/base/tensor.h>
 
 #include <array>
-#include <fstream>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -82,16 +83,17 @@ namespace NPT
   class CurveWriter
   {
   public:
-    /// Begin a new file with two comment lines and the names of the columns.
-    explicit CurveWriter(const std::string &filename);
+    /// Begin a new file with two comment lines, the names of the columns, and
+    /// the rows that there are already. Throws OutputError, as write() does.
+    explicit CurveWriter(const std::string           &filename,
+                         const std::vector<CurveRow> &rows = {});
 
     /// Throws InputError if the name of the stage contains a comma or a quote.
     void
     write(const CurveRow &row);
 
   private:
-    std::string   filename_;
-    std::ofstream file_;
+    std::unique_ptr<OutputFile> file_;
   };
 
   /**

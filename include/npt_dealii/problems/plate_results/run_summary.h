@@ -16,8 +16,10 @@ namespace NPT
   /// How a run ended.
   struct RunSummary
   {
-    /// done, failed (a stage was given up), refused (unusable input), crashed,
-    /// or time limit; a run itself only knows the first two.
+    /// running, done, failed (a stage was given up, or the run was interrupted
+    /// or met an error), refused (unusable input), crashed, or time limit; a
+    /// run itself only knows the first three. One that was killed stays
+    /// running.
     std::string status;
 
     /// Short name of the failure, LoadStepFailure::reason(), "" if done.

@@ -52,6 +52,19 @@ namespace NPT
           const std::vector<dealii::Point<3>> &woven,
           const std::vector<CurveRow>         &curve);
 
+    /// Depth of the overlap that was warned of last [mm], to be kept over a
+    /// restart.
+    double
+    overlap_warned_of() const
+    {
+      return overlap_warned_of_;
+    }
+    void
+    set_overlap_warned_of(const double depth)
+    {
+      overlap_warned_of_ = depth;
+    }
+
   private:
     bool
     is_woven() const;

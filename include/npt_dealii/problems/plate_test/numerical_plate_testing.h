@@ -11,12 +11,16 @@
 #include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/plate_test/contact_checks.h>
 #include <npt_dealii/problems/plate_test/plate_cell.h>
+#include <npt_dealii/problems/plate_test/plate_test_checkpoint.h>
 #include <npt_dealii/problems/plate_test/plate_test_results.h>
 
 #include <deal.II/base/timer.h>
 
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,11 +47,14 @@ namespace NPT
      * @param screen Where the log is shown.
      * @param ranks The processes that compute the test together; all but the
      *   first get no folder and a screen that shows nothing.
+     * @param checkpoint Where to go on, the same on all processes; else the
+     *   test begins at its start.
      */
-    NumericalPlateTesting(const PlateTestParameters &parameters,
-                          const std::string         &directory,
-                          std::ostream              &screen,
-                          const Ranks               &ranks = {});
+    NumericalPlateTesting(const PlateTestParameters         &parameters,
+                          const std::string                 &directory,
+                          std::ostream                      &screen,
+                          const Ranks                       &ranks      = {},
+                          std::optional<PlateTestCheckpoint> checkpoint = {});
 
     /// The whole test. Throws StageFailed if a stage cannot be finished or the
     /// run is interrupted; all results up to there are complete on disk.
@@ -98,6 +105,9 @@ namespace NPT
   private:
     void
     make_cell();
+    /// Take up the checkpoint.
+    void
+    resume();
     void
     run_stage(const unsigned int index);
     /// The load steps of a stage, from a state on.
@@ -106,12 +116,22 @@ namespace NPT
               const State                &start,
               const StepParameters       &steps,
               const LoadStepper::Visitor &visitor);
+    /// What the stage of the checkpoint had besides its equations.
+    void
+    resume_stage(const PlateTestStage &problem);
     /// The weave stage in one step from the woven state of a coarser mesh;
     /// false if that is not wanted or does not serve.
     bool
     weave_from_coarser_mesh();
     void
     accept_step(const LoadStage &stage, const AcceptedStep &step);
+    /// Remember what the next step depends on, and write it if that is due.
+    void
+    keep_step(const AcceptedStep &step);
+    PlateTestCheckpoint
+    make_checkpoint() const;
+    void
+    save();
     void
     warn_of_ellipticity(const LoadStage &stage, const AcceptedStep &step);
     /// Complete the results, and throw the failure of a stage again, with the
@@ -135,6 +155,21 @@ namespace NPT
     State                         state_;
     std::vector<dealii::Point<3>> woven_;
     std::string                   not_elliptic_in_; // last stage
+
+    // What else a checkpoint needs: the stage with what it was made from, and
+    // the last accepted step.
+    unsigned int                        stage_ = 0;
+    State                               stage_start_;
+    std::vector<dealii::Point<3>>       start_woven_;
+    std::optional<State>                previous_;
+    StepControl::Place                  place_;
+    std::set<std::vector<unsigned int>> couplings_;
+    bool                                expects_indefinite_ = false;
+
+    // Given to go on from, until that is done.
+    std::optional<PlateTestCheckpoint>    checkpoint_;
+    unsigned int                          n_unsaved_steps_ = 0;
+    std::chrono::steady_clock::time_point last_saved_;
   };
 } // namespace NPT
 

@@ -44,6 +44,24 @@ namespace NPT
   const EnumNames<OutputParameters::Fields> &
   enum_names<OutputParameters::Fields>();
 
+  /// Subsection "Checkpoint": when it is written, besides at the end of every
+  /// stage and when the run ends early.
+  struct CheckpointParameters
+  {
+    unsigned int every_steps   = 0;  ///< accepted load steps; 0: never
+    double       every_minutes = 10; ///< 0: never
+
+    /// Whether there are checkpoints at all.
+    bool
+    is_wanted() const
+    {
+      return every_steps > 0 || every_minutes > 0;
+    }
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
   /// Subsection "Stability".
   struct StabilityParameters
   {
@@ -111,6 +129,7 @@ namespace NPT
     LinearSolverParameters linear_solver;
     StabilityParameters    stability;
     OutputParameters       output;
+    CheckpointParameters   checkpoint;
     AccuracyParameters     accuracy;
 
     /// The problem that a plate test with Accuracy / Target becomes.

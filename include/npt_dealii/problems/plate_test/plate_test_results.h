@@ -4,6 +4,7 @@
 #ifndef npt_dealii_problems_plate_test_plate_test_results_h
 #define npt_dealii_problems_plate_test_plate_test_results_h
 
+#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
 #include <npt_dealii/load_step/load_stepper.h>
@@ -15,6 +16,7 @@
 #include <deal.II/base/timer.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,11 +37,28 @@ namespace NPT
                      RunLog                    &log,
                      dealii::TimerOutput       &timer);
 
+    /// What results remember of the steps so far; a value.
+    struct Memory
+    {
+      std::vector<CurveRow> curve; ///< one row per accepted step
+      /// Of the fields, with load times.
+      std::vector<std::pair<double, std::string>> bundle_files, contact_files;
+      std::vector<std::string> cell_scripts; ///< of pictures not drawn yet
+      double                   stages_done = 0;
+      EnergyBalance            energy_balance;
+    };
+
+    const Memory &
+    memory() const
+    {
+      return memory_;
+    }
+
     /// One row per accepted step.
     const std::vector<CurveRow> &
     curve() const
     {
-      return curve_;
+      return memory_.curve;
     }
     const std::string &
     directory() const
@@ -53,6 +72,12 @@ namespace NPT
     /// The same, and an empty curve file.
     void
     begin(const PlateCell &cell);
+    /// The same for a run that goes on: files and CPU time go on as well.
+    void
+    resume(const PlateCell &cell, const Memory &memory);
+    /// Contact of the last accepted step, of a run that goes on.
+    void
+    set_last_contact(const std::vector<ContactEvaluation<3>> &contact);
     void
     begin_stage(const LoadStage &stage);
     /// A row of the curve, a line of the log, and fields if they are due.
@@ -87,6 +112,11 @@ namespace NPT
            const LinearSolver &linear_solver,
            ConstrainedSystem  &system);
 
+    /// Throws OutputError if the cell could not be drawn; on the way that is a
+    /// warning.
+    void
+    check_pictures() const;
+
   private:
     CurveRow
     make_row(const PlateCell    &cell,
@@ -116,17 +146,15 @@ namespace NPT
     const std::string          directory_;
     RunLog                    &log_;
     dealii::TimerOutput       &timer_;
-    const double               cpu_start_;
+    double                     cpu_start_;
     StepTable                  step_table_;
 
-    std::vector<CurveRow>                       curve_;
-    std::unique_ptr<CurveWriter>                curve_writer_;
-    std::vector<std::pair<double, std::string>> bundle_files_, contact_files_;
-    std::vector<std::string>                    scripts_;
-    double                                      stages_done_ = 0;
+    Memory                       memory_;
+    std::unique_ptr<CurveWriter> curve_writer_;
     // Of the last accepted step, if its fields may still be wanted.
     std::vector<ContactEvaluation<3>> last_contact_;
-    EnergyBalance                     energy_balance_;
+    // Why a picture was not written; told when all else is done.
+    std::optional<OutputError> not_drawn_;
   };
 } // namespace NPT
 

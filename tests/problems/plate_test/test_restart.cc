@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Claims that a load step is a function of the accepted state and the increment
+// alone, and that a run that was stopped goes on as if it had not been.
+
+#include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/interruption.h>
+#include <npt_dealii/problems/plate_results/run_summary.h>
+#include <npt_dealii/problems/plate_test/plate_test.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+#include "plate_run.h"
+
+using namespace PlateTestTools;
+using Catch::Contains;
+namespace fs = std::filesystem;
+
+namespace
+{
+  const std::vector<std::string> methods      = {"mortar", "KTS"};
+  const std::vector<std::string> enforcements = {"penalty",
+                                                 "augmented Lagrangian"};
+
+  std::vector<std::string>
+  small_cell(const std::string &method, const std::string &enforcement)
+  {
+    return {"Mesh/Elements along=3",
+            "Mesh/Elements across=3",
+            "Mesh/Elements through=1",
+            "Contact/Method=" + method,
+            "Contact/Enforcement=" + enforcement,
+            "Friction/Friction coefficient=0.3",
+            "Output/Picture=false",
+            "Checkpoint/Every steps=1",
+            "Load programme/Stages=weave, release, shear, back",
+            "Load programme/Stage weave/Initial step=0.2",
+            "Load programme/Stage weave/Maximum step=0.2",
+            "Load programme/Stage shear/Targets=H3: 0.06",
+            "Load programme/Stage shear/Initial step=0.25",
+            "Load programme/Stage shear/Maximum step=0.25",
+            "Load programme/Stage back/Targets=H3: 0.02",
+            "Load programme/Stage back/Initial step=0.5",
+            "Load programme/Stage back/Maximum step=0.5"};
+  }
+
+  // What a line of overrides sets.
+  std::string
+  entry_of(const std::string &override_line)
+  {
+    return override_line.substr(0, override_line.find('='));
+  }
+
+  /// @param more Replaces entries; those of stages that are no more are
+  /// dropped.
+  PlateTestParameters
+  read(const std::vector<std::string> &overrides,
+       const std::vector<std::string> &more = {})
+  {
+    const std::string stages     = "Load programme/Stages",
+                      stage      = "Load programme/Stage ";
+    std::vector<std::string> all = more;
+    std::string              names;
+    for (const std::string &line : overrides)
+      if (std::none_of(more.begin(), more.end(), [&](const std::string &other) {
+            return entry_of(other) == entry_of(line);
+          }))
+        all.push_back(line);
+    for (const std::string &line : all)
+      if (entry_of(line) == stages)
+        names = line.substr(stages.size() + 1) + ",";
+    std::vector<std::string> kept;
+    for (const std::string &line : all)
+      {
+        const std::string entry = entry_of(line);
+        const std::string name  = entry.substr(0, entry.rfind('/'));
+        if (entry.compare(0, stage.size(), stage) != 0 ||
+            names.find(name.substr(stage.size()) + ",") != std::string::npos)
+          kept.push_back(line);
+      }
+    return PlateTestParameters::read(make_parameter_text("", "small.prm"),
+                                     kept);
+  }
+
+  fs::path
+  empty_folder(const std::string &name)
+  {
+    const fs::path folder =
+      fs::path(NPT_BINARY_DIR) / "test_restart_files" / name;
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+  }
+
+  /// Raises SIGTERM at the first accepted step that it is told of.
+  class StopAtStep : public std::stringbuf
+  {
+  protected:
+    std::streamsize
+    xsputn(const char *text, const std::streamsize n) override
+    {
+      // Lines of steps begin with a number in five places.
+      const bool is_step = n > 5 && std::isdigit(text[4]) && text[5] == ' ';
+      if (is_step && !raised_)
+        std::raise(SIGTERM);
+      raised_ = raised_ || is_step;
+      return n;
+    }
+
+  private:
+    bool raised_ = false;
+  };
+
+  /// Run to the end, or stopped after the first step; whether it has ended.
+  bool
+  run_in(const fs::path                    &folder,
+         const PlateTestParameters         &parameters,
+         const bool                         stop,
+         std::optional<PlateTestCheckpoint> checkpoint = {})
+  {
+    StopAtStep     stopping;
+    std::stringbuf silent;
+    std::ostream   screen(stop ? static_cast<std::streambuf *>(&stopping) :
+                               &silent);
+    try
+      {
+        run_plate_test(parameters, folder.string(), screen, {}, checkpoint);
+      }
+    catch (const StageFailed &failure)
+      {
+        REQUIRE(failure.reason() == "interrupted");
+        return false;
+      }
+    return true;
+  }
+
+  bool
+  same_bits(const double a, const double b)
+  {
+    return std::memcmp(&a, &b, sizeof(double)) == 0;
+  }
+
+  void
+  check_same_curves(const fs::path &a, const fs::path &b)
+  {
+    const auto first  = read_curves((a / "curves.csv").string()),
+               second = read_curves((b / "curves.csv").string());
+    REQUIRE(first.size() == second.size());
+    for (unsigned int i = 0; i < first.size(); ++i)
+      for (const std::string &column : curve_columns())
+        if (column == "stage")
+          CHECK(first[i].stage == second[i].stage);
+        else if (column != "cpu_seconds")
+          {
+            INFO("row " << i << ", " << column);
+            CHECK(same_bits(curve_value(first[i], column),
+                            curve_value(second[i], column)));
+          }
+  }
+
+  /// What a test does besides solving each step.
+  enum class Disturbance
+  {
+    none,
+    solve_twice,
+    reject_longer ///< every third step, of twice the length
+  };
+
+  /// The displacements behind every step.
+  std::vector<dealii::Vector<double>>
+  drive(const std::vector<std::string> &overrides,
+        const Disturbance               disturbance)
+  {
+    PlateRun    run(overrides);
+    const auto &stages = run.parameters.load_programme.stages;
+    std::vector<dealii::Vector<double>> result;
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      {
+        const PlateTestStage problem(
+          run.cell, run.parameters, i, run.state, run.woven, run.system);
+        StepControl          control(stages[i].steps);
+        State                state = problem.start();
+        std::optional<State> previous;
+        const auto           solve = [&](const double load_factor) {
+          LoadStep step(problem,
+                        state,
+                        problem.increment(state, load_factor),
+                        run.system,
+                        run.linear_solver);
+          if (!previous ||
+              !step.extrapolate(previous->u,
+                                (load_factor - state.load_factor) /
+                                  (state.load_factor - previous->load_factor)))
+            step.follow_tangent();
+          const auto report =
+            step.solve(run.parameters.newton, run.parameters.contact);
+          return std::make_pair(problem.accept(state,
+                                               step.increment(),
+                                               step.trial()),
+                                report.newton.iterations);
+        };
+        while (!control.finished())
+          {
+            const double to       = control.trial();
+            const double longer   = std::min(1., 2. * to - state.load_factor);
+            const bool   is_third = control.n_accepted() % 3 == 2;
+            if (disturbance == Disturbance::solve_twice ||
+                (disturbance == Disturbance::reject_longer && is_third))
+              try
+                {
+                  solve(disturbance == Disturbance::solve_twice ? to : longer);
+                }
+              catch (const LoadStepFailure &)
+                {
+                  // So much the better.
+                }
+            try
+              {
+                auto [accepted, iterations] = solve(to);
+                control.accept(iterations);
+                previous = state;
+                state    = accepted;
+              }
+            catch (const LoadStepFailure &failure)
+              {
+                control.reject(failure);
+                continue;
+              }
+            result.push_back(state.u);
+          }
+        run.state = state;
+        if (stages[i].type != LoadStage::Type::load)
+          run.woven = run.cell.woven_positions(state.u);
+      }
+    return result;
+  }
+} // namespace
+
+
+
+TEST_CASE("What was solved and thrown away before a step does not change it",
+          "[plate_test]")
+{
+  for (const std::string &method : methods)
+    for (const std::string &enforcement : enforcements)
+      {
+        const auto overrides = small_cell(method, enforcement);
+        const auto straight  = drive(overrides, Disturbance::none);
+        for (const auto disturbance :
+             {Disturbance::solve_twice, Disturbance::reject_longer})
+          {
+            const auto disturbed = drive(overrides, disturbance);
+            REQUIRE(disturbed.size() == straight.size());
+            for (unsigned int i = 0; i < straight.size(); ++i)
+              {
+                INFO(method << ", " << enforcement << ", step " << i + 1);
+                dealii::Vector<double> difference(disturbed[i]);
+                difference -= straight[i];
+                // The pattern of the matrix may be wider, so round-off differs.
+                CHECK(difference.linfty_norm() <=
+                      1e-10 * straight[i].linfty_norm());
+              }
+          }
+      }
+}
+
+
+
+TEST_CASE("A run stopped after every step ends as if it had not been",
+          "[plate_test]")
+{
+  for (const std::string &method : methods)
+    for (const std::string &enforcement : enforcements)
+      {
+        INFO(method << ", " << enforcement);
+        const PlateTestParameters parameters =
+          read(small_cell(method, enforcement));
+        const fs::path straight = empty_folder("straight"),
+                       stopped  = empty_folder("stopped");
+        REQUIRE(run_in(straight, parameters, false));
+        unsigned int n_starts = 1;
+        for (bool ended = run_in(stopped, parameters, true); !ended; ++n_starts)
+          {
+            CHECK(read_run_summary((stopped / "summary.csv").string()).reason ==
+                  "interrupted");
+            const auto checkpoint =
+              read_checkpoint(stopped.string(), parameters, {});
+            REQUIRE(checkpoint);
+            REQUIRE(n_starts < 100);
+            ended = run_in(stopped, parameters, true, checkpoint);
+          }
+        check_same_curves(straight, stopped);
+        CHECK(n_starts >=
+              read_curves((straight / "curves.csv").string()).size());
+        CHECK(read_run_summary((stopped / "summary.csv").string()).status ==
+              "done");
+      }
+}
+
+
+
+TEST_CASE("Stages may be added to a run that was stopped or has ended",
+          "[plate_test]")
+{
+  const auto                whole = small_cell("mortar", "penalty");
+  const PlateTestParameters all   = read(whole);
+  const PlateTestParameters short_one =
+    read(whole, {"Load programme/Stages=weave, release, shear"});
+  const fs::path straight = empty_folder("straight"),
+                 extended = empty_folder("extended");
+  REQUIRE(run_in(straight, all, false));
+  REQUIRE(run_in(extended, short_one, false));
+  const auto checkpoint = read_checkpoint(extended.string(), all, {});
+  REQUIRE(checkpoint);
+  CHECK(checkpoint->stage == 2);
+  REQUIRE(run_in(extended, all, false, checkpoint));
+  check_same_curves(straight, extended);
+
+  // A run that is done has nothing to do.
+  const auto at_end = read_checkpoint(extended.string(), all, {});
+  REQUIRE(at_end);
+  REQUIRE(run_in(extended, all, false, at_end));
+  check_same_curves(straight, extended);
+}
+
+
+
+TEST_CASE("A checkpoint of another test is refused by the entry",
+          "[plate_test]")
+{
+  const auto                whole  = small_cell("mortar", "penalty");
+  const PlateTestParameters given  = read(whole);
+  const fs::path            folder = empty_folder("other");
+  REQUIRE_FALSE(run_in(folder, given, true));
+  const auto refusal = [&](const std::vector<std::string> &more) {
+    try
+      {
+        read_checkpoint(folder.string(), read(whole, more), {});
+      }
+    catch (const InputError &error)
+      {
+        return std::string(error.what());
+      }
+    return std::string("none");
+  };
+  CHECK_THAT(refusal({"Friction/Friction coefficient=0.2"}),
+             Contains("checkpoint.bin") &&
+               Contains("Friction coefficient = 0.2 instead of 0.3"));
+  CHECK_THAT(refusal({"Mesh/Elements along=4"}), Contains("Elements along"));
+  CHECK_THAT(refusal({"Load programme/Stage weave/Initial step=0.05"}),
+             Contains("Stage weave/Initial step"));
+  CHECK_THAT(refusal({"Load programme/Stages=shear"}),
+             Contains("has begun stage 1, weave") && Contains("is shear"));
+  // What lies ahead, and what does not change the state.
+  CHECK(refusal({"Friction/Friction coefficient=3e-1"}) == "none");
+  CHECK(refusal({"Load programme/Stage back/Targets=H3: 0.01"}) == "none");
+  CHECK(refusal({"Load programme/Stages=weave, release"}) == "none");
+  CHECK(refusal({"Newton/Maximum iterations=50"}) == "none");
+  CHECK(refusal({"Output/Fields=none"}) == "none");
+  // A cell that the program would choose otherwise for the new stages.
+  CHECK_THAT(refusal({"Load programme/Stage back/Targets=H4: 0.01"}),
+             Contains("the program chooses Type = "));
+
+  fs::resize_file(folder / "checkpoint.bin", 1000);
+  CHECK_THAT(refusal({}), Contains("cut short"));
+}
