@@ -80,14 +80,6 @@ namespace NPT
     circle(const Gradients &H) const;
 
   private:
-    // R_U.
-    struct InPlaneRotation
-    {
-      SecondOrder<MacroModes::n> cosine, sine;
-    };
-    InPlaneRotation
-    rotation_of_lines(const Gradients &H) const;
-
     dealii::Tensor<1, 2> n_;
   };
 

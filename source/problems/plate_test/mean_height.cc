@@ -198,16 +198,16 @@ namespace NPT
     const double       one   = 1.;
     const unsigned int size  = 3 * n_functions + MacroModes::n + 1;
     const auto         first = [&](const unsigned int variable) {
-      return variable < 3 ? variable * n_functions :
-                                    3 * n_functions + variable - 3;
+      return variable < dim ? variable * n_functions :
+                                      dim * n_functions + variable - dim;
     };
     const auto n_moving = [&](const unsigned int variable) {
-      return variable < 3 ? n_functions : 1;
+      return variable < dim ? n_functions : 1;
     };
     for (unsigned int v = 0; v < n_variables; ++v)
       for (unsigned int a = 0; a < n_moving(v); ++a)
         {
-          const double       weight = share * (v < 3 ? R[a] : 1.);
+          const double       weight = share * (v < dim ? R[a] : 1.);
           const unsigned int row    = first(v) + a;
           const double       edge   = stiffness_ * weight * d.gradient[v];
           K[row * size + size - 1] += edge;
@@ -215,7 +215,7 @@ namespace NPT
           for (unsigned int w = 0; w < n_variables; ++w)
             {
               const double  factor = force * weight * d.hessian[v][w];
-              const double *move   = w < 3 ? R : &one;
+              const double *move   = w < dim ? R : &one;
               double       *target = &K[row * size + first(w)];
               for (unsigned int b = 0; b < n_moving(w); ++b)
                 target[b] += factor * move[b];

@@ -59,7 +59,8 @@ namespace NPT
                 ConstrainedSystem            &system) const;
 
   private:
-    static constexpr unsigned int n_variables = 3 + MacroModes::n;
+    static constexpr unsigned int dim         = 3;
+    static constexpr unsigned int n_variables = dim + MacroModes::n;
     using Number = SecondOrder<n_variables>; // of x and H
     struct Circle
     {
