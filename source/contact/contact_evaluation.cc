@@ -307,7 +307,7 @@ namespace NPT
           const double pressure = -evaluation.nodes[I].pressure;
           if (!friction_at_points_)
             evaluation.friction[I].pressure = pressure;
-          else // (A24): |p|_q = sum_I R^I_q |p|^I, with R = A_Iq W_I / w_q
+          else // (A27): |p|_q = sum_I R^I_q |p|^I, with R = A_Iq W_I / w_q
             for (const auto &entry : geometry_.averaging.nodes()[I].entries)
               if (evaluation.reach.has(entry.point))
                 evaluation.friction[entry.point].pressure +=

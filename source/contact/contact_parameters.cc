@@ -224,7 +224,7 @@ namespace NPT
       "is, Eqs. (41), (42) of the paper; Method mortar then misses a spin of "
       "the surfaces within the support of a control point. Gauss points: to "
       "the slip of each, with the pressure that the mortar method finds there, "
-      "(A24) of doc/theory.md. The same for Method KTS, whose contact nodes "
+      "(A27) of doc/theory.md. The same for Method KTS, whose contact nodes "
       "are Gauss points.");
     add_parameter(prm,
                   "Slip measure",

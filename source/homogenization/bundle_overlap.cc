@@ -5,6 +5,7 @@
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/homogenization/bundle_overlap.h>
 #include <npt_dealii/homogenization/cell_modes.h>
+#include <npt_dealii/homogenization/objective_jumps.h>
 #include <npt_dealii/iga/bezier_body.h>
 
 #include <algorithm>
@@ -28,17 +29,18 @@ namespace NPT
     class OverlapSearch
     {
     public:
-      OverlapSearch(const FabricCell            &cell,
-                    const IGASpace<3>           &space,
-                    const MacroUnknowns         &macro,
-                    const Vector<double>        &u,
-                    const std::vector<Point<3>> &woven)
+      OverlapSearch(const FabricCell                  &cell,
+                    const IGASpace<3>                 &space,
+                    const MacroUnknowns               &macro,
+                    const Vector<double>              &u,
+                    const std::vector<Point<3>>       &woven,
+                    const std::optional<Tensor<1, 2>> &bends_along)
         : cell_(cell)
         , is_woven_(std::abs(u[macro.weaving_offset()]) <
                     1e-6 * cell.weaving_offset())
+        , bends_along_(bends_along)
       {
-        for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
-          H_.push_back(u[macro.mode(n)]);
+        H_                      = gradients_of(macro, u);
         std::vector<Point<3>> x = space.control_points();
         for (unsigned int A = 0; A < x.size(); ++A)
           for (unsigned int i = 0; i < 3; ++i)
@@ -160,6 +162,8 @@ namespace NPT
       {
         const auto map =
           [&](const unsigned int c, const unsigned int b, const Point<3> &x) {
+            if (bends_along_)
+              return Point<3>(image_on_cylinder(*bends_along_, H_, g, x));
             Point<3> result = g(x);
             for (unsigned int n = 0; n < H_.size(); ++n)
               if (H_[n] != 0.)
@@ -215,27 +219,29 @@ namespace NPT
                  1e-9 * cell_.parameters().crossing_spacing.smaller();
       }
 
-      const FabricCell       &cell_;
-      const bool              is_woven_;
-      std::vector<double>     H_;
-      std::vector<BezierBody> bodies_; // of the cell, current
-      std::vector<BezierBody> places_; // to which jumps refer
-      std::vector<Image>      images_;
+      const FabricCell                 &cell_;
+      const bool                        is_woven_;
+      const std::optional<Tensor<1, 2>> bends_along_;
+      Gradients                         H_;
+      std::vector<BezierBody>           bodies_; // of the cell, current
+      std::vector<BezierBody>           places_; // to which jumps refer
+      std::vector<Image>                images_;
     };
   } // namespace
 
 
 
   BundleOverlap
-  find_overlap(const FabricCell            &cell,
-               const IGASpace<3>           &space,
-               const MacroUnknowns         &macro,
-               const Vector<double>        &u,
-               const std::vector<Point<3>> &woven)
+  find_overlap(const FabricCell                  &cell,
+               const IGASpace<3>                 &space,
+               const MacroUnknowns               &macro,
+               const Vector<double>              &u,
+               const std::vector<Point<3>>       &woven,
+               const std::optional<Tensor<1, 2>> &bends_along)
   {
     if (cell.parameters().type == "laminate")
       return {};
-    return OverlapSearch(cell, space, macro, u, woven).deepest();
+    return OverlapSearch(cell, space, macro, u, woven, bends_along).deepest();
   }
 
 

@@ -27,12 +27,15 @@ namespace NPT
       FabricCouplings(const FabricCell            &cell,
                       const IGASpace<3>           &space,
                       const MacroUnknowns         &macro,
-                      const std::vector<Point<3>> &places)
+                      const std::vector<Point<3>> &places,
+                      const ObjectiveJumps        *jumps)
         : cell_(cell)
         , space_(space)
         , macro_(macro)
         , places_(places)
-        , modes_(represented_modes(cell))
+        , jumps_(jumps)
+        , modes_(jumps == nullptr ? represented_modes(cell) :
+                                    std::vector<unsigned int>())
         , finder_(cell, space)
         , units_(units_of_coefficients(cell))
         , orbits_(macro.first, units_)
@@ -125,12 +128,18 @@ namespace NPT
         const std::array<double, 2> place = in_plane.value_or(
           std::array<double, 2>{{cell_.axis_parameter(0), 0.5}});
         const WeightedPoints points = fiber_through_thickness(0, place);
-        // The axis keeps the woven height, which enters w_m.
-        Point<3> center =
+        Point<3>             center =
           space_.patch(0).value(Point<3>(place[0], place[1], 0.5));
         center[2] = 0.;
         for (const auto &[A, weight] : points)
-          center[2] += weight * places_[A][2];
+          if (jumps_ == nullptr)
+            // The axis keeps the woven height, which enters w_m.
+            center[2] += weight * places_[A][2];
+          else
+            // The frames stretch with the plane; what is left is the distance
+            // of the place from theirs.
+            for (unsigned int i = 0; i < 2; ++i)
+              center[i] -= weight * jumps_->frame(A)[i];
         for (unsigned int c = 0; c < 2; ++c)
           if (is_free[c])
             hold(points, center, c, constraints);
@@ -226,7 +235,8 @@ namespace NPT
               sum[entry.first] += weight * entry.second;
           else
             sum[3 * A + c] += weight;
-        for (const unsigned int n : modes_)
+        for (const unsigned int n :
+             jumps_ == nullptr ? modes_ : represented_modes(cell_))
           sum[macro_.mode(n)] -= macroscopic_displacement(n, center)[c];
         auto pivot = sum.begin();
         for (auto term = sum.begin(); term != sum.end(); ++term)
@@ -252,6 +262,7 @@ namespace NPT
       const IGASpace<3>              &space_;
       const MacroUnknowns            &macro_;
       const std::vector<Point<3>>    &places_; // to which jumps refer
+      const ObjectiveJumps           *jumps_;
       const std::vector<unsigned int> modes_;
       const BundlePointFinder         finder_;
       const Affine                    units_;
@@ -267,19 +278,21 @@ namespace NPT
                  const MacroUnknowns              &macro,
                  const std::vector<PeriodicImage> &images,
                  const std::vector<Point<3>>      &woven,
-                 const Pins                       &pins)
+                 const Pins                       &pins,
+                 const ObjectiveJumps             *jumps)
   {
     FabricCouplings couplings(cell,
                               space,
                               macro,
-                              woven.empty() ? space.control_points() : woven);
+                              woven.empty() ? space.control_points() : woven,
+                              jumps);
     const bool      smooth =
       cell.parameters().smooth_closure == CellParameters::SmoothClosure::yes;
     couplings.relate_by_operations();
     if (smooth)
       couplings.close_smoothly();
     const std::array<bool, 3> is_free = cell.free_translations();
-    if (pins.used && is_free[2])
+    if (pins.used && is_free[2] && jumps == nullptr)
       couplings.pin_vertically(pins.vertical, smooth);
 
     AffineConstraints<double> constraints;
@@ -288,6 +301,8 @@ namespace NPT
       couplings.add_image(periodic_image, constraints);
     if (pins.used)
       couplings.pin_in_plane(pins.in_plane, is_free, constraints);
+    if (jumps == nullptr)
+      constraints.add_line(macro.support());
     constraints.close();
     return constraints;
   }

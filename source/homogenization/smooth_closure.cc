@@ -168,6 +168,29 @@ namespace NPT
 
 
 
+  unsigned int
+  nearest_seam(const NURBSPatch<3> &patch,
+               const unsigned int   n_closed,
+               const unsigned int   l)
+  {
+    auto place = patch.multi_index(l);
+    for (unsigned int d = 0; d < n_closed; ++d)
+      {
+        std::vector<unsigned int> seams = joints_of(patch.knot_vector(d));
+        seams.push_back(0);
+        seams.push_back(patch.n_control_points(d) - 1);
+        for (const unsigned int seam : seams)
+          if (place[d] + 1 == seam || place[d] == seam + 1)
+            {
+              place[d] = seam;
+              break;
+            }
+      }
+    return patch.index(place);
+  }
+
+
+
   void
   close_smoothly(const FabricCell        &cell,
                  const IGASpace<3>       &space,

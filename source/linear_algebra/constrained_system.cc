@@ -4,17 +4,46 @@
 #include <npt_dealii/linear_algebra/constrained_system.h>
 
 #include <numeric>
+#include <utility>
 
 namespace NPT
 {
   using dealii::Vector;
 
   void
+  ConstrainedSystem::add_row(
+    const dealii::AffineConstraints<double> &constraints,
+    const unsigned int                       i)
+  {
+    if (index_[i] >= 0)
+      {
+        row_column_.push_back(index_[i]);
+        row_value_.push_back(1.);
+        return;
+      }
+    Assert(constraints.get_inhomogeneity(i) == 0.,
+           dealii::ExcMessage("Loads enter through prescribed unknowns, not "
+                              "inhomogeneities."));
+    for (const auto &entry : *constraints.get_constraint_entries(i))
+      if (entry.second != 0.)
+        {
+          AssertThrow(index_[entry.first] >= 0,
+                      dealii::ExcMessage("Constraints must be closed first."));
+          row_column_.push_back(index_[entry.first]);
+          row_value_.push_back(entry.second);
+        }
+  }
+
+
+
+  void
   ConstrainedSystem::reinit(
     const dealii::AffineConstraints<double> &constraints,
-    const unsigned int                       n_unknowns)
+    const unsigned int                       n_unknowns,
+    std::shared_ptr<const UnknownMap>        map)
   {
     has_pattern_ = false;
+    map_         = std::move(map);
     independent_.clear();
     index_.assign(n_unknowns, -1);
     for (unsigned int i = 0; i < n_unknowns; ++i)
@@ -26,28 +55,25 @@ namespace NPT
     row_start_.assign(1, 0);
     row_column_.clear();
     row_value_.clear();
+    map_factor_.clear();
+    map_gradient_.clear();
+    if (map_)
+      {
+        int gradient = 0;
+        for (const auto &arguments : map_->arguments())
+          {
+            for (const unsigned int j : arguments)
+              {
+                add_row(constraints, j);
+                map_gradient_.resize(row_value_.size(), gradient++);
+              }
+            row_start_.push_back(row_column_.size());
+          }
+        map_factor_ = row_value_;
+      }
     for (unsigned int i = 0; i < n_unknowns; ++i)
       {
-        if (index_[i] >= 0)
-          {
-            row_column_.push_back(index_[i]);
-            row_value_.push_back(1.);
-          }
-        else
-          {
-            Assert(constraints.get_inhomogeneity(i) == 0.,
-                   dealii::ExcMessage("Loads enter through prescribed "
-                                      "unknowns, not inhomogeneities."));
-            for (const auto &entry : *constraints.get_constraint_entries(i))
-              if (entry.second != 0.)
-                {
-                  AssertThrow(index_[entry.first] >= 0,
-                              dealii::ExcMessage(
-                                "Constraints must be closed first."));
-                  row_column_.push_back(index_[entry.first]);
-                  row_value_.push_back(entry.second);
-                }
-          }
+        add_row(constraints, i);
         row_start_.push_back(row_column_.size());
       }
     groups_.clear();
@@ -63,13 +89,47 @@ namespace NPT
 
 
   void
+  ConstrainedSystem::linearize(const Vector<double> &u)
+  {
+    if (!map_)
+      return;
+    Vector<double> v;
+    map_->invert(u, v);
+    map_->gradients(v, gradients_);
+    for (std::size_t k = 0; k < map_factor_.size(); ++k)
+      row_value_[k] = map_factor_[k] * gradients_[map_gradient_[k]];
+    groups_lag_ = true;
+  }
+
+
+
+  void
+  ConstrainedSystem::set_zero()
+  {
+    matrix_.set_zero();
+    if (groups_lag_)
+      for (Group &group : groups_)
+        for (std::size_t k = 0; k < group.entry.size(); ++k)
+          group.coefficient[k] = row_value_[group.entry[k]];
+    groups_lag_ = false;
+  }
+
+
+
+  void
   ConstrainedSystem::expand(const Vector<double> &m, Vector<double> &u) const
   {
     AssertDimension(m.size(), independent_.size());
     u.reinit(index_.size());
     for (unsigned int i = 0; i < index_.size(); ++i)
-      for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
+      for (int k = row_start_[row_of_v(i)]; k < row_start_[row_of_v(i) + 1];
+           ++k)
         u[i] += row_value_[k] * m[row_column_[k]];
+    if (map_)
+      {
+        const Vector<double> v(u);
+        map_->apply(v, u);
+      }
   }
 
 
@@ -91,9 +151,12 @@ namespace NPT
   ConstrainedSystem::restrict_to_independent(const Vector<double> &u,
                                              Vector<double>       &m) const
   {
+    Vector<double> v(u);
+    if (map_)
+      map_->invert(u, v);
     m.reinit(independent_.size());
     for (unsigned int k = 0; k < independent_.size(); ++k)
-      m[k] = u[independent_[k]];
+      m[k] = v[independent_[k]];
   }
 
 
@@ -125,6 +188,7 @@ namespace NPT
     group.unknown.clear();
     group.local.clear();
     group.coefficient.clear();
+    group.entry.clear();
     for (unsigned int b = 0; b < unknowns.size(); ++b)
       for (int k = row_start_[unknowns[b]]; k < row_start_[unknowns[b] + 1];
            ++k)
@@ -132,8 +196,11 @@ namespace NPT
           group.unknown.push_back(b);
           group.local.push_back(place_[row_column_[k]]);
           group.coefficient.push_back(row_value_[k]);
+          if (map_)
+            group.entry.push_back(k);
         }
-    group.is_permutation = group.local.size() == unknowns.size() &&
+    // With a map entries change, and columns may come twice.
+    group.is_permutation = !map_ && group.local.size() == unknowns.size() &&
                            group.columns.size() == unknowns.size();
     if (group.is_permutation)
       {

@@ -79,6 +79,7 @@ namespace NPT
   {
     system_.expand(m, trial_.u);
     problem_.evaluate(increment_, trial_);
+    system_.linearize(trial_.u);
     system_.condense(trial_.residual, trial_.condensed);
     pick_free(trial_.condensed, r);
   }

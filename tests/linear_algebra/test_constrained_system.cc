@@ -10,6 +10,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <numeric>
 #include <random>
 
@@ -342,6 +344,117 @@ TEST_CASE("Unknowns that no group touches have a diagonal entry", "[solver]")
   CHECK(system.matrix().n_nonzeros() == 2 * 2 + 3);
 }
 
+
+
+namespace
+{
+  // Two unknowns turned by the third one.
+  class Rotation : public UnknownMap
+  {
+  public:
+    void
+    apply(const Vector<double> &v, Vector<double> &u) const override
+    {
+      turn(v, v[2], u);
+    }
+    void
+    invert(const Vector<double> &u, Vector<double> &v) const override
+    {
+      turn(u, -u[2], v);
+    }
+    std::vector<std::vector<unsigned int>>
+    arguments() const override
+    {
+      return {{0, 1, 2}, {0, 1, 2}, {2}, {3}};
+    }
+    void
+    gradients(const Vector<double> &v,
+              std::vector<double>  &values) const override
+    {
+      const double c = std::cos(v[2]), s = std::sin(v[2]);
+      values = {c, -s, -s * v[0] - c * v[1], s, c, c * v[0] - s * v[1], 1., 1.};
+    }
+
+  private:
+    static void
+    turn(const Vector<double> &from, const double angle, Vector<double> &to)
+    {
+      to    = from;
+      to[0] = std::cos(angle) * from[0] - std::sin(angle) * from[1];
+      to[1] = std::sin(angle) * from[0] + std::cos(angle) * from[1];
+    }
+  };
+} // namespace
+
+
+
+TEST_CASE(
+  "With a map of the unknowns forces and stiffnesses are pulled back to "
+  "what is independent",
+  "[solver]")
+{
+  // v_1 = 2 v_0 + 3 v_3.
+  AffineConstraints<double> constraints;
+  constraints.add_line(1);
+  constraints.add_entry(1, 0, 2.);
+  constraints.add_entry(1, 3, 3.);
+  constraints.close();
+  ConstrainedSystem system;
+  system.reinit(constraints, 4, std::make_shared<Rotation>());
+  const unsigned int turned = system.add_group({0, 1});
+  // The angle alone, by its own row and by that of v.
+  const unsigned int angle = system.add_group({2}),
+                     of_v  = system.add_group({system.row_of_v(2)});
+
+  Vector<double> m(3), u, m_again;
+  m[0] = 0.3;
+  m[1] = 0.7;
+  m[2] = -0.2;
+  system.expand(m, u);
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  CHECK(u[0] == Approx(c * 0.3 - s * 0.));
+  CHECK(u[1] == Approx(s * 0.3 + c * 0.));
+  system.restrict_to_independent(u, m_again);
+  m_again -= m;
+  CHECK(m_again.l2_norm() < 1e-15);
+
+  // r = u is the gradient of |u|^2 / 2, K = 1 its tangent but for the
+  // curvature of the map.
+  system.linearize(u);
+  Vector<double> r(u), condensed;
+  system.condense(r, condensed);
+  const double h = 1e-6;
+  for (unsigned int k = 0; k < 3; ++k)
+    {
+      double energy[2];
+      for (const int sign : {1, -1})
+        {
+          Vector<double> moved(m), u_moved;
+          moved[k] += sign * h;
+          system.expand(moved, u_moved);
+          energy[sign > 0] = 0.5 * u_moved.norm_sqr();
+        }
+      CHECK(condensed[k] ==
+            Approx((energy[1] - energy[0]) / (2. * h)).margin(1e-9));
+    }
+  system.build_pattern();
+  system.set_zero();
+  system.add(turned, {1., 0., 0., 1.});
+  // |v|^2: 5 and 9 on the diagonal, 6 between; turning does not show but for
+  // (du/dangle)^2 = |v|^2 = 0.09 and (du/dv . du/dangle) = v_0 2 - v_1.
+  const auto entry = [&](const int i, const int j) {
+    return system.matrix().values[system.matrix().position(i, j)];
+  };
+  CHECK(entry(0, 0) == Approx(5.));
+  CHECK(entry(2, 2) == Approx(9.));
+  CHECK(entry(0, 2) == Approx(6.));
+  CHECK(entry(1, 1) == Approx(0.09));
+  CHECK(entry(0, 1) == Approx(0.6));
+  CHECK(entry(1, 2) == Approx(0.9));
+  system.add(angle, {1.});
+  system.add(of_v, {1.});
+  CHECK(entry(1, 1) == Approx(2.09));
+}
 
 
 #ifdef DEBUG

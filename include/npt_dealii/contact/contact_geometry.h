@@ -26,7 +26,7 @@ namespace NPT
     std::vector<ContactSurface<dim>>                       primaries;
     std::vector<typename IGASurface<dim>::QuadraturePoint> points;
     Averaging                                              averaging;
-    /// Of the friction nodes: the same, or the Gauss points, (A24).
+    /// Of the friction nodes: the same, or the Gauss points, (A27).
     Averaging friction_averaging;
     /// Deeper than this a point cannot be told from one behind the body [mm].
     double maximum_penetration;

@@ -22,7 +22,7 @@ namespace NPT
    *           + t_a^I \, \delta\xi^{a,I} \right), @f]
    *
    * with the nodes I of Averaging. Friction may have nodes of its own, the
-   * Gauss points, (A24); FrictionParameters::nodes. The three questions of
+   * Gauss points, (A27); FrictionParameters::nodes. The three questions of
    * contact are answered one after the other: evaluate() finds where the
    * surfaces are and how far apart (projection, averages) and what the laws
    * answer; add_residual() and add_tangent() say where the traction acts. The

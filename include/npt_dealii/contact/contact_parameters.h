@@ -90,7 +90,7 @@ namespace NPT
     enum class Nodes
     {
       contact_nodes, ///< slip averaged as the gap is, (41), (42)
-      Gauss_points   ///< with the interpolated pressure, (A24)
+      Gauss_points   ///< with the interpolated pressure, (A27)
     };
     Nodes nodes = Nodes::Gauss_points;
     /// A name of Registry<NamedSlipMeasure<3>>.

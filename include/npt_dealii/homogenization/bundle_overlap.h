@@ -9,8 +9,10 @@
 #include <npt_dealii/homogenization/macro_unknowns.h>
 #include <npt_dealii/iga/iga_space.h>
 
+#include <deal.II/base/tensor.h>
 #include <deal.II/lac/vector.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,15 +44,18 @@ namespace NPT
    *
    * @param u All unknowns, of MacroUnknowns.
    * @param woven As for make_couplings().
+   * @param bends_along With objective jumps: the direction of curvature.
+   *
    * While a weaving offset holds the families apart only bundles of one family
    * are compared. A laminate has nothing to compare: its plies are one piece.
    */
   BundleOverlap
-  find_overlap(const FabricCell                    &cell,
-               const IGASpace<3>                   &space,
-               const MacroUnknowns                 &macro,
-               const dealii::Vector<double>        &u,
-               const std::vector<dealii::Point<3>> &woven);
+  find_overlap(const FabricCell                          &cell,
+               const IGASpace<3>                         &space,
+               const MacroUnknowns                       &macro,
+               const dealii::Vector<double>              &u,
+               const std::vector<dealii::Point<3>>       &woven,
+               const std::optional<dealii::Tensor<1, 2>> &bends_along = {});
 
   /// "warp bundle 0 and weft bundle 1 at (0.1, 0.2, 0.3) mm".
   std::string

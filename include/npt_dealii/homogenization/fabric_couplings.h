@@ -8,7 +8,9 @@
 #include <npt_dealii/fabric/fabric_cell.h>
 #include <npt_dealii/homogenization/cell_modes.h>
 #include <npt_dealii/homogenization/macro_unknowns.h>
+#include <npt_dealii/homogenization/objective_jumps.h>
 #include <npt_dealii/homogenization/orbit_constraints.h>
+#include <npt_dealii/homogenization/periodic_image.h>
 #include <npt_dealii/iga/iga_space.h>
 
 #include <deal.II/lac/affine_constraints.h>
@@ -20,24 +22,6 @@
 
 namespace NPT
 {
-  /**
-   * Control points of a face seen through an operation of the cell. They have
-   * unknowns of their own, which AffineConstraints tie to the base cell, the
-   * macro unknowns and the weaving offset omega,
-   *
-   * @f[ w(QY+a) = Q\,w(Y) + w_m(QY+a) - Q\,w_m(Y) \pm \omega e_3 , @f]
-   *
-   * so that contact with an image needs nothing special anywhere else.
-   */
-  struct PeriodicImage
-  {
-    std::vector<unsigned int>     control_points; ///< of the base cell
-    SymmetryOperation             operation;
-    double                        offset_sign;
-    unsigned int                  first_unknown; ///< three per control point
-    std::vector<dealii::Point<3>> reference;     ///< QX + a
-  };
-
   /// Where rigid motions of the whole cell are held that its symmetry leaves.
   /// Bundles that float against each other are no matter of pins.
   struct Pins
@@ -75,6 +59,8 @@ namespace NPT
    *   the displacement of weaving along the bundle: the moments would then
    *   depend on where a strand is cut into periods (by 2 % of n1 t in a coarse
    *   twill), with woven positions they do not.
+   * @param jumps Given: the couplings are those of v of (A25), free of H, and
+   *   the mean height of the cell has to be held instead of the vertical pin.
    * @return Closed constraints over macro.n_unknowns() unknowns.
    *
    * Throws std::logic_error if the mesh is not mapped onto itself by an
@@ -86,7 +72,8 @@ namespace NPT
                  const MacroUnknowns                 &macro,
                  const std::vector<PeriodicImage>    &images,
                  const std::vector<dealii::Point<3>> &woven = {},
-                 const Pins                          &pins  = {});
+                 const Pins                          &pins  = {},
+                 const ObjectiveJumps                *jumps = nullptr);
 } // namespace NPT
 
 #endif

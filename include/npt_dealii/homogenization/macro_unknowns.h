@@ -34,16 +34,23 @@ namespace NPT
     {
       return first + n_modes;
     }
+    /// What holds the mean height of a bent cell, see ObjectiveJumps [mm]; the
+    /// force is proportional to it. Zero with linear jumps.
+    unsigned int
+    support() const
+    {
+      return first + n_macro;
+    }
     /// Unknowns of images follow; see PeriodicImage.
     unsigned int
     first_image_unknown() const
     {
-      return first + n_macro;
+      return support() + 1;
     }
     unsigned int
     n_unknowns() const
     {
-      return first + n_macro + n_image_unknowns;
+      return first_image_unknown() + n_image_unknowns;
     }
 
     unsigned int first;

@@ -16,6 +16,14 @@ namespace NPT
   unsigned int
   n_closed_directions(const FiberBundle &bundle);
 
+  /// Control point of a patch at the seam, an end or a C0 knot, that a smooth
+  /// closure relates to control point l; l itself if there is none. In both
+  /// directions if both are closed.
+  unsigned int
+  nearest_seam(const NURBSPatch<3> &patch,
+               const unsigned int   n_closed,
+               const unsigned int   l);
+
   /// What the macro unknowns add to component i of the displacement of the
   /// image of a control point.
   using JumpOfImage =

@@ -6,9 +6,11 @@
 #define npt_dealii_linear_algebra_constrained_system_h
 
 #include <npt_dealii/linear_algebra/csr_matrix.h>
+#include <npt_dealii/linear_algebra/unknown_map.h>
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -23,6 +25,15 @@ namespace NPT
    * unknowns, weaving offset), never through inhomogeneities, so C stays
    * fixed within a stage and reactions are entries of C^T r.
    *
+   * With an UnknownMap the constraints hold for other unknowns v, and
+   *
+   * @f[ u = u(v), \quad v = C m, \qquad
+   *     C^T G^T K G C, \quad C^T G^T r, \qquad G = du/dv @f]
+   *
+   * take their places, with G at the state of the last linearize(). Groups may
+   * then contain the v as well, by row_of_v(), for the second derivatives of
+   * the map.
+   *
    * Groups of unknowns that recur (cells) are registered once; their positions
    * in the matrix are computed with the pattern.
    */
@@ -30,9 +41,11 @@ namespace NPT
   {
   public:
     /// Number the independent unknowns. Forgets groups, couplings and pattern.
+    /// @param map If given, what the constraints relate is v of u = u(v).
     void
     reinit(const dealii::AffineConstraints<double> &constraints,
-           const unsigned int                       n_unknowns);
+           const unsigned int                       n_unknowns,
+           std::shared_ptr<const UnknownMap>        map = nullptr);
 
     unsigned int
     n_independent() const
@@ -52,14 +65,24 @@ namespace NPT
       return index_[unknown];
     }
 
-    /// u = C m.
+    /// What stands for v_k in a group; k itself if u is v.
+    unsigned int
+    row_of_v(const unsigned int k) const
+    {
+      return map_ ? index_.size() + k : k;
+    }
+    /// Take G at a state from now on; nothing to do where u is v.
+    void
+    linearize(const dealii::Vector<double> &u);
+
+    /// u = C m, or u(C m).
     void
     expand(const dealii::Vector<double> &m, dealii::Vector<double> &u) const;
-    /// C^T r.
+    /// C^T r, or C^T G^T r.
     void
     condense(const dealii::Vector<double> &r,
              dealii::Vector<double>       &condensed) const;
-    /// Pick the independent entries of a full vector.
+    /// Pick the independent entries of a full vector, or of v(u).
     void
     restrict_to_independent(const dealii::Vector<double> &u,
                             dealii::Vector<double>       &m) const;
@@ -99,10 +122,7 @@ namespace NPT
     }
 
     void
-    set_zero()
-    {
-      matrix_.set_zero();
-    }
+    set_zero();
     /// Add factor * C^T K C of a registered group.
     void
     add(const unsigned int         group,
@@ -154,6 +174,7 @@ namespace NPT
       std::vector<int>    unknown;        // entries of C: unknown of the group,
       std::vector<int>    local;          // position in columns,
       std::vector<double> coefficient;    // and value
+      std::vector<int>    entry;          // with a map: where that stands
       bool                is_permutation; // entry k is all of column local[k]
       std::vector<int>    run_start; // runs of neighbors in columns, and end
       std::vector<int>    list;      // per column as row: which list
@@ -166,12 +187,23 @@ namespace NPT
     void
     add(const Group &group, const std::vector<double> &K, const double factor);
 
-    // C in compressed rows over all unknowns.
+    void
+    add_row(const dealii::AffineConstraints<double> &constraints,
+            const unsigned int                       i);
+
+    // C in compressed rows over all unknowns; with a map the rows of G C, then
+    // those of C.
     std::vector<int>          row_start_;
     std::vector<int>          row_column_;
     std::vector<double>       row_value_;
     std::vector<unsigned int> independent_;
     std::vector<int>          index_;
+
+    // Values of G C are products of an entry of C and one of G.
+    std::shared_ptr<const UnknownMap> map_;
+    std::vector<double>               map_factor_, gradients_;
+    std::vector<int>                  map_gradient_;
+    bool                              groups_lag_ = false;
 
     std::vector<Group>                  groups_;
     std::set<std::vector<unsigned int>> couplings_;

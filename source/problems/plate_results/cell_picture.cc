@@ -2,6 +2,7 @@
 // The faces of bundles on grids of points, and the script that draws them.
 
 #include <npt_dealii/homogenization/cell_modes.h>
+#include <npt_dealii/homogenization/cylinder_motion.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/plate_results/cell_picture.h>
@@ -164,10 +165,17 @@ namespace NPT
 
     // The image of a point of the base cell.
     std::array<double, 4>
-    image(const FacePoint                         &point,
-          const SymmetryOperation                 &g,
-          const std::array<double, MacroModes::n> &H)
+    image(const FacePoint         &point,
+          const SymmetryOperation &g,
+          const PictureState      &state)
     {
+      const auto &H = state.H;
+      if (state.bends_along)
+        {
+          const Tensor<1, 3> x = image_on_cylinder(
+            *state.bends_along, H, g, Point<3>(point[0], point[1], point[2]));
+          return {{x[0], x[1], x[2], point.back()}};
+        }
       const Point<3> Z(point[3], point[4], point[5]);
       Tensor<1, 3>   jump;
       for (unsigned int n = 0; n < H.size(); ++n)
@@ -236,8 +244,7 @@ namespace NPT
               PictureSurface surface;
               surface.n_columns = found->second.n_columns;
               for (const FacePoint &point : found->second.points)
-                surface.points.push_back(
-                  image(point, piece.operation, state.H));
+                surface.points.push_back(image(point, piece.operation, state));
               // A glide plane turns bottom and top over. The direction across
               // is +y for the warp and -x for the weft.
               if (direction == 2 && (side == 0) == (piece.operation.Q[2] > 0.))

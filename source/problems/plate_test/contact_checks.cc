@@ -57,10 +57,14 @@ namespace NPT
                                const std::vector<dealii::Point<3>> &woven,
                                const unsigned int                   n_cuts)
   {
-    const BundleOverlap overlap = find_overlap(
-      cell.fabric(), cell.bodies().space(), cell.macro(), state.u, woven);
-    const double thickness = parameters_.cell.bundle_thickness.smaller();
-    const double allowed   = parameters_.contact.maximum_overlap * thickness;
+    const BundleOverlap overlap   = find_overlap(cell.fabric(),
+                                               cell.bodies().space(),
+                                               cell.macro(),
+                                               state.u,
+                                               woven,
+                                               stage.bends_along);
+    const double        thickness = parameters_.cell.bundle_thickness.smaller();
+    const double allowed = parameters_.contact.maximum_overlap * thickness;
     // Where everything is allowed the usual limit tells what is much.
     if (overlap.depth <=
         much *

@@ -116,11 +116,35 @@ namespace NPT
 
 
 
-  Resultants
-  PlateCell::averages(const Vector<double>        &u,
-                      const std::vector<Point<3>> &woven,
-                      const NaturalState          &natural) const
+  std::shared_ptr<const ObjectiveJumps>
+  PlateCell::objective_jumps(const Tensor<1, 2> &direction) const
   {
+    return std::make_shared<ObjectiveJumps>(
+      fabric_, bodies_.space(), macro_, images(), direction);
+  }
+
+
+
+  Resultants
+  PlateCell::averages(const Vector<double>              &u,
+                      const std::vector<Point<3>>       &woven,
+                      const std::optional<Tensor<1, 2>> &bends_along,
+                      const NaturalState                &natural) const
+  {
+    const Gradients     H = gradients_of(macro_, u);
+    std::vector<double> Y1, Y2;
+    for (const Point<3> &Y : bodies_.space().control_points())
+      {
+        Y1.push_back(Y[0]);
+        Y2.push_back(Y[1]);
+      }
+    const auto turned_back = [&](const DeformableBodies::MaterialPoint &point) {
+      if (!bends_along)
+        return point.P;
+      const Tensor<1, 2> place(
+        {bodies_.interpolate(point, Y1), bodies_.interpolate(point, Y2)});
+      return transpose(CylinderMotion(*bends_along).at(H, place).R) * point.P;
+    };
     std::vector<double> Z3;
     for (const Point<3> &Z :
          woven.empty() ? bodies_.space().control_points() : woven)
@@ -129,8 +153,9 @@ namespace NPT
     bodies_.for_each_point(
       u,
       [&](const auto &point) {
-        sum.N += point.P * point.dV;
-        sum.M += bodies_.interpolate(point, Z3) * point.P * point.dV;
+        const Tensor<2, 3> P = turned_back(point);
+        sum.N += P * point.dV;
+        sum.M += bodies_.interpolate(point, Z3) * P * point.dV;
       },
       natural);
     for (dealii::Tensor<2, 3> *average : {&sum.N, &sum.M})

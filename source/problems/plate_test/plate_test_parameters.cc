@@ -6,6 +6,7 @@
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/homogenization/cell_modes.h>
+#include <npt_dealii/problems/load_programme/bending_directions.h>
 #include <npt_dealii/problems/load_programme/macro_limits.h>
 #include <npt_dealii/problems/load_programme/neighbor_distance.h>
 #include <npt_dealii/problems/plate_test/cell_sizes.h>
@@ -244,6 +245,50 @@ namespace NPT
       else if (cell.smooth_closure == SmoothClosure::yes && !against.empty())
         throw InputError(against);
     }
+
+    // Two seams that share an inner neighbor need it in the frames of both.
+    bool
+    seams_share_neighbors(const PlateTestParameters &parameters)
+    {
+      const MeshParameters &mesh = parameters.mesh;
+      const unsigned int    fewest =
+        parameters.cell.type == "laminate" ?
+             std::min(mesh.elements_along, mesh.elements_across) :
+             mesh.elements_along;
+      return parameters.cell.smooth_closure ==
+               CellParameters::SmoothClosure::yes &&
+             fewest + mesh.degree < 4;
+    }
+
+    // Which stages turn neighboring cells with the plate.
+    void
+    settle_jumps(PlateTestParameters &parameters)
+    {
+      using Jumps       = HomogenizationParameters::Jumps;
+      const Jumps jumps = parameters.homogenization.jumps;
+      if (jumps == Jumps::linear)
+        return;
+      auto       &stages   = parameters.load_programme.stages;
+      std::string obstacle = set_bending_directions(stages);
+      if (obstacle.empty() && seams_share_neighbors(parameters))
+        obstacle = "a smooth closure needs two elements along a bundle then";
+      if (jumps == Jumps::objective && !obstacle.empty())
+        throw InputError(
+          "Jumps is objective, but a plate is mapped onto itself only if it "
+          "bends about one axis (H4 alone, H5 alone, or H4, H5 and H6 in one "
+          "ratio with H6^2 = 4 H4 H5), and here " +
+          obstacle +
+          "; use Jumps = automatic or linear (subsections Homogenization and "
+          "Load programme).");
+      if (!obstacle.empty())
+        for (LoadStage &stage : stages)
+          stage.bends_along.reset();
+      const bool bends = !stages.empty() && stages.back().bends_along;
+      if (jumps == Jumps::automatic && (bends || !obstacle.empty()))
+        parameters.reason_for_jumps =
+          bends ? "objective: neighboring cells turn with the bent plate" :
+                  "linear: neighboring cells do not turn, because " + obstacle;
+    }
   } // namespace
 
 
@@ -258,6 +303,7 @@ namespace NPT
     weft_material.add_parameters(prm, "Weft material", "warp");
     contact.add_parameters(prm);
     friction.add_parameters(prm);
+    homogenization.add_parameters(prm);
     load_programme.add_parameters(prm);
     newton.add_parameters(prm);
     linear_solver.add_parameters(prm);
@@ -320,6 +366,7 @@ namespace NPT
     contact.set_thickness(cell.bundle_thickness.smaller());
     check_modes(*this);
     settle_smooth_closure(*this);
+    settle_jumps(*this);
   }
 
 

@@ -72,6 +72,8 @@ namespace NPT
     if (parameters_.cell.smooth_closure == CellParameters::SmoothClosure::yes)
       log_.line("Bundles are smooth (C1) between crossings and over the "
                 "periodic faces.");
+    if (!parameters_.reason_for_jumps.empty())
+      log_.line("Jumps are " + parameters_.reason_for_jumps + ".");
     if (!parameters_.reason_for_side_contact.empty())
       log_.line("Side contact is on, because " +
                 parameters_.reason_for_side_contact + ".");
@@ -148,7 +150,7 @@ namespace NPT
                                     step.after.energies);
     CurveRow         row = make_row(cell, stage, step);
     const Resultants averages =
-      cell.averages(step.after.u, woven, step.after.natural);
+      cell.averages(step.after.u, woven, stage.bends_along, step.after.natural);
     row.N           = averages.N;
     row.M           = averages.M;
     row.cpu_seconds = cpu_seconds();
@@ -331,9 +333,9 @@ namespace NPT
                                   state.u,
                                   state.natural))
       picture.values.push_back(point.von_mises);
-    picture.woven = woven;
-    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
-      picture.H[n] = state.u[cell.macro().mode(n)];
+    picture.woven       = woven;
+    picture.bends_along = stage.bends_along;
+    picture.H           = gradients_of(cell.macro(), state.u);
 
     std::ostringstream title;
     title << "Stage " << stage.name << ", load factor " << state.load_factor;
@@ -374,7 +376,14 @@ namespace NPT
                                     const SupportForces &forces)
   {
     // A hundredth of what contact bears moves the curves by less than that.
-    const double much     = 0.01;
+    const double much = 0.01;
+    if (std::abs(forces.normal) > much * forces.contact)
+      log_.line("At the end of stage " +
+                parameters_.load_programme.stages[stage].name +
+                " the bent cell is held at its mean height by " +
+                short_number(forces.normal, 2) +
+                " N along the normal, spread over its volume, because there is "
+                "tension along the curvature.");
     const auto  &stages   = parameters_.load_programme.stages;
     const double larger   = std::max(forces.foundation, forces.pins);
     const bool   is_small = larger <= much * forces.contact;

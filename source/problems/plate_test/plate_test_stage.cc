@@ -105,18 +105,23 @@ namespace NPT
     , timer_(timer)
   {
     const auto &stages = parameters.load_programme.stages;
+    if (stage_.bends_along)
+      jumps_ = cell.objective_jumps(*stage_.bends_along);
     system.reinit(make_couplings(cell.fabric(),
                                  cell.bodies().space(),
                                  cell.macro(),
                                  cell.images(),
                                  woven,
-                                 pins),
-                  cell.macro().n_unknowns());
+                                 pins,
+                                 jumps_.get()),
+                  cell.macro().n_unknowns(),
+                  jumps_);
     if (has_foundation(stages, index))
       foundation_ = WeavingFoundation(cell);
     cell_groups_ = cell.bodies().add_groups(system);
     set_loads(stages, before);
     set_prescribed(system);
+    add_groups_of_jumps(system);
     foundation_.add_groups(system);
     start_ = make_start(before, index > 0 && stages[index - 1].friction);
     friction_let_go_ = before.energies.friction - start_.energies.friction;
@@ -236,12 +241,18 @@ namespace NPT
                              const bool   friction_was_on) const
   {
     // The accepted state must obey the couplings of the new stage: dropping a
-    // condition never moves it, and its tiny round-off is removed here.
-    State          start = before;
+    // condition never moves it, and its tiny round-off is removed here. Only
+    // the first objective stage moves the cell, which the pins have put
+    // somewhere else, to its mean height.
+    State start = before;
+    if (jumps_ != nullptr &&
+        (index_ == 0 ||
+         !parameters_.load_programme.stages[index_ - 1].bends_along))
+      jumps_->raise(-mean_height_.value(start.u), start.u);
     Vector<double> m, expanded;
-    system_.restrict_to_independent(before.u, m);
+    system_.restrict_to_independent(start.u, m);
     system_.expand(m, expanded);
-    expanded -= before.u;
+    expanded -= start.u;
     AssertThrow(expanded.linfty_norm() < 1e-8 * cell_.fabric().weaving_offset(),
                 dealii::ExcMessage("The state at the start of stage " +
                                    stage_.name +
@@ -329,6 +340,42 @@ namespace NPT
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       if (resultant_controlled_[n])
         R[macro.mode(n)] -= increment.applied[n] * cell_.fabric().area();
+    mean_height_.add_residual(u, R);
+  }
+
+
+
+  void
+  PlateTestStage::add_groups_of_jumps(ConstrainedSystem &system)
+  {
+    if (jumps_ == nullptr)
+      return;
+    mean_height_ = MeanHeight(cell_,
+                              *stage_.bends_along,
+                              force_unit() / length_unit(parameters_.cell));
+    mean_height_.add_groups(cell_groups_, system);
+    for (std::vector<unsigned int> group : jumps_->groups())
+      {
+        for (unsigned int &k : group)
+          k = system.row_of_v(k);
+        jump_groups_.push_back(system.add_group(group));
+      }
+  }
+
+
+
+  void
+  PlateTestStage::add_tangent_of_jumps(const Trial       &trial,
+                                       ConstrainedSystem &system) const
+  {
+    Vector<double> v;
+    jumps_->invert(trial.u, v);
+    jumps_->second_derivatives(v,
+                               trial.residual,
+                               [&](const unsigned int         group,
+                                   const std::vector<double> &matrix) {
+                                 system.add(jump_groups_[group], matrix);
+                               });
   }
 
 
@@ -367,8 +414,14 @@ namespace NPT
         return false;
     }
     if (ranks().is_first())
-      foundation_.add_tangent(foundation_share(increment.load_factor), system);
+      {
+        foundation_.add_tangent(foundation_share(increment.load_factor),
+                                system);
+        if (jumps_ != nullptr)
+          add_tangent_of_jumps(trial, system);
+      }
     const auto scope = section(timer_, "Tangent: bundles");
+    mean_height_.add_tangent(trial.u, system);
     cell_.bodies().add_tangent(trial.u,
                                cell_groups_,
                                system,
@@ -421,7 +474,17 @@ namespace NPT
     forces.foundation =
       foundation_.largest_force(trial.u,
                                 foundation_share(increment.load_factor));
-    forces.pins = largest_pin_force(cell_, trial.residual);
+    if (jumps_ == nullptr)
+      forces.pins = largest_pin_force(cell_, trial.residual);
+    else
+      {
+        const Tensor<1, 3> sum = jumps_->sum_in_frames(trial.u, trial.residual);
+        const auto         is_free = cell_.fabric().free_translations();
+        for (unsigned int i = 0; i < 2; ++i)
+          if (is_free[i])
+            forces.pins = std::max(forces.pins, std::abs(sum[i]));
+        forces.normal = mean_height_.force(trial.u);
+      }
     for (unsigned int k = 0; k < contacts().size(); ++k)
       {
         Vector<double> force(cell_.macro().n_unknowns());

@@ -8,6 +8,7 @@
 #include <npt_dealii/load_step/step_control.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/tensor.h>
 
 #include <map>
 #include <optional>
@@ -42,6 +43,10 @@ namespace NPT
     StepParameters steps;
     /// Relax: fraction of the stress that is gone at the end [-].
     double relaxed_fraction = 0;
+
+    /// With objective jumps, from the first bending on: see
+    /// set_bending_directions().
+    std::optional<dealii::Tensor<1, 2>> bends_along;
 
     /// What the file says of type and friction; where it says `automatic`,
     /// nothing, complete() goes by the name and the type.

@@ -10,6 +10,7 @@
 #include <npt_dealii/iga/iga_space.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ namespace NPT
     /// empty: the reference ones.
     std::vector<dealii::Point<3>>     woven;
     std::array<double, MacroModes::n> H; ///< gradients, by mode
+    /// With objective jumps: the direction of curvature.
+    std::optional<dealii::Tensor<1, 2>> bends_along;
   };
 
   /**
@@ -48,7 +51,8 @@ namespace NPT
    * @f[ x(QX + a) = Q\,x(X) + a + \sum_n H_n
    *       \left( w_m^n(QZ + a) - Q\,w_m^n(Z) \right), @f]
    *
-   * Z = X or the woven place. Every cell of the mesh gives at least one
+   * Z = X or the woven place, or with objective jumps S_a Q x, see
+   * CylinderMotion. Every cell of the mesh gives at least one
    * quadrilateral, and every crossing about nine by nine on each wide face.
    * Points lie on the surfaces of the VTU files.
    */

@@ -17,6 +17,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/lac/vector.h>
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace NPT
@@ -78,12 +80,19 @@ namespace NPT
     std::vector<dealii::Point<3>>
     woven_positions(const dealii::Vector<double> &u) const;
 
+    /// The frames of bending with a direction of curvature.
+    std::shared_ptr<const ObjectiveJumps>
+    objective_jumps(const dealii::Tensor<1, 2> &direction) const;
+
     /// N and M as volume averages (7), (8), at the state u. `woven` gives the
-    /// lever arms Z3; empty: reference positions.
+    /// lever arms Z3; empty: reference positions. With objective jumps P is
+    /// turned back by the rotation of its place, and bends_along the direction
+    /// of the curvature.
     Resultants
-    averages(const dealii::Vector<double>        &u,
-             const std::vector<dealii::Point<3>> &woven,
-             const NaturalState                  &natural = {}) const;
+    averages(const dealii::Vector<double>              &u,
+             const std::vector<dealii::Point<3>>       &woven,
+             const std::optional<dealii::Tensor<1, 2>> &bends_along = {},
+             const NaturalState                        &natural     = {}) const;
 
   private:
     FabricCell       fabric_;

@@ -9,6 +9,7 @@
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/contact/contact_parameters.h>
 #include <npt_dealii/fabric/cell_parameters.h>
+#include <npt_dealii/homogenization/homogenization_parameters.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
 #include <npt_dealii/load_step/newton.h>
 #include <npt_dealii/material/make_material.h>
@@ -121,16 +122,17 @@ namespace NPT
     MeshParameters     mesh;
     MaterialParameters material;
     /// The same unless the file differs.
-    MaterialParameters     weft_material = MaterialParameters("as warp");
-    ContactParameters      contact;
-    FrictionParameters     friction;
-    LoadProgramme          load_programme;
-    NewtonParameters       newton;
-    LinearSolverParameters linear_solver;
-    StabilityParameters    stability;
-    OutputParameters       output;
-    CheckpointParameters   checkpoint;
-    AccuracyParameters     accuracy;
+    MaterialParameters       weft_material = MaterialParameters("as warp");
+    ContactParameters        contact;
+    FrictionParameters       friction;
+    HomogenizationParameters homogenization;
+    LoadProgramme            load_programme;
+    NewtonParameters         newton;
+    LinearSolverParameters   linear_solver;
+    StabilityParameters      stability;
+    OutputParameters         output;
+    CheckpointParameters     checkpoint;
+    AccuracyParameters       accuracy;
 
     /// The problem that a plate test with Accuracy / Target becomes.
     static constexpr const char *error_controlled =
@@ -139,6 +141,9 @@ namespace NPT
     /// Why the program chose this cell type ("because ..."); empty if the file
     /// names the type.
     std::string reason_for_type;
+    /// What the jumps of a bent cell are, and why, where the program chose
+    /// them; else empty.
+    std::string reason_for_jumps;
     /// Why side contact is on, as a clause; empty if it is off or if the file
     /// decides.
     std::string reason_for_side_contact;

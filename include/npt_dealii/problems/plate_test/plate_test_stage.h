@@ -5,13 +5,17 @@
 #ifndef npt_dealii_problems_plate_test_plate_test_stage_h
 #define npt_dealii_problems_plate_test_plate_test_stage_h
 
+#include <npt_dealii/homogenization/objective_jumps.h>
 #include <npt_dealii/load_step/equilibrium_problem.h>
+#include <npt_dealii/problems/plate_test/mean_height.h>
 #include <npt_dealii/problems/plate_test/plate_cell.h>
 #include <npt_dealii/problems/plate_test/weaving_foundation.h>
 
 #include <deal.II/base/timer.h>
 
 #include <array>
+#include <memory>
+#include <vector>
 
 namespace NPT
 {
@@ -20,7 +24,10 @@ namespace NPT
   {
     double foundation = 0.; ///< largest on a bundle, sum over control points
     double pins       = 0.; ///< largest component
-    double contact    = 0.; ///< largest of a secondary face, as foundation
+    /// With objective jumps: along the normal, spread over the volume. A plate
+    /// under tension along its curvature needs it.
+    double normal  = 0.;
+    double contact = 0.; ///< largest of a secondary face, as foundation
   };
 
   /**
@@ -32,6 +39,11 @@ namespace NPT
    *
    * @f[ C^T ( f_{int}(u) + f_{contact}(u) + f_{foundation}(u) )
    *     = f_{macro}. @f]
+   *
+   * With objective jumps C relates the displacements in the frames of
+   * ObjectiveJumps, and a force along the normals, spread over the volume,
+   * holds the mean height of the cell, which the motions of a cylinder do not
+   * leave free.
    */
   class PlateTestStage : public EquilibriumProblem
   {
@@ -115,6 +127,10 @@ namespace NPT
     set_loads(const std::vector<LoadStage> &stages, const State &before);
     void
     set_prescribed(ConstrainedSystem &system) const;
+    void
+    add_groups_of_jumps(ConstrainedSystem &system);
+    void
+    add_tangent_of_jumps(const Trial &trial, ConstrainedSystem &system) const;
     State
     make_start(const State &before, const bool friction_was_on) const;
     void
@@ -141,6 +157,11 @@ namespace NPT
     const ConstrainedSystem   &system_;
     dealii::TimerOutput       *timer_;
     std::vector<unsigned int>  cell_groups_; // of the bundles in the system
+
+    // Of objective jumps; empty with linear ones.
+    std::shared_ptr<const ObjectiveJumps> jumps_;
+    std::vector<unsigned int>             jump_groups_;
+    MeanHeight                            mean_height_;
 
     std::array<double, MacroUnknowns::n_macro> from_{}, to_{};
     std::array<double, MacroUnknowns::n_modes> force_from_{}, force_to_{};

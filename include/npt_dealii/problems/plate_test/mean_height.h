@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Defines the mean height of a bent cell, and the force that holds it.
+
+#ifndef npt_dealii_problems_plate_test_mean_height_h
+#define npt_dealii_problems_plate_test_mean_height_h
+
+#include <npt_dealii/homogenization/cylinder_motion.h>
+#include <npt_dealii/problems/plate_test/plate_cell.h>
+
+#include <optional>
+#include <vector>
+
+namespace NPT
+{
+  /**
+   * The mean height of a cell over the cylinder on which H1..H3 are measured,
+   *
+   * @f[ \bar d = \frac{1}{V} \int d(x) \, dV, \qquad
+   *     d = \frac{q}{\sqrt{1 + k q} + 1}, \qquad
+   *     q = 2 x_3 + k \left( x_3^2 + (b \cdot x)^2 \right), \qquad (A26) @f]
+   *
+   * with the curvature k and the direction b of CylinderMotion::circle(): d is
+   * the distance of x from the axis less the radius 1/k, written so that k may
+   * vanish. It is zero at all times. What holds it is a multiplier s,
+   *
+   * @f[ \Pi = E + c \, s \, \bar d , @f]
+   *
+   * that is a force c s along the normals, spread over the volume. A plate that
+   * is bent under tension needs one: n : K per area, the pressure on a pulley.
+   * Without it the tension along the curvature could only be zero.
+   */
+  class MeanHeight
+  {
+  public:
+    /// Nothing is held.
+    MeanHeight() = default;
+
+    /// @param stiffness c, which only scales the unknown s [N/mm].
+    MeanHeight(const PlateCell            &cell,
+               const dealii::Tensor<1, 2> &direction,
+               const double                stiffness);
+
+    /// @param cells The groups of the bodies in this system.
+    void
+    add_groups(const DeformableBodies::CellGroups &cells,
+               ConstrainedSystem                  &system);
+    double
+    value(const dealii::Vector<double> &u) const;
+    /// c s [N].
+    double
+    force(const dealii::Vector<double> &u) const;
+    /// The derivatives of Pi - E; on all processes the same.
+    void
+    add_residual(const dealii::Vector<double> &u,
+                 dealii::Vector<double>       &residual) const;
+    /// The parts of this process.
+    void
+    add_tangent(const dealii::Vector<double> &u,
+                ConstrainedSystem            &system) const;
+
+  private:
+    static constexpr unsigned int dim         = 3;
+    static constexpr unsigned int n_variables = dim + MacroModes::n;
+    using Number = SecondOrder<n_variables>; // of x and H
+    struct Circle
+    {
+      Number curvature, direction[2];
+    };
+    Circle
+    circle(const dealii::Vector<double> &u) const;
+    Number
+    height(const Circle &circle, const dealii::Tensor<1, 3> &x) const;
+    // x at a quadrature point.
+    dealii::Tensor<1, 3>
+    position(const unsigned int            cell,
+             const unsigned int            q,
+             const dealii::Vector<double> &u) const;
+
+    // Share of a quadrature point in the matrix of its cell.
+    void
+    add_point(const Number        &d,
+              const double         share,
+              const double         force,
+              const unsigned int   n_functions,
+              const double        *R,
+              std::vector<double> &K) const;
+
+    const PlateCell              *cell_ = nullptr;
+    std::optional<CylinderMotion> motion_;
+    double                        stiffness_ = 0., volume_ = 0.;
+    DeformableBodies::CellGroups  groups_; // those of this process
+  };
+} // namespace NPT
+
+#endif
