@@ -43,11 +43,6 @@ namespace NPT
       }
     else if (name == "release")
       steps.initial_step = steps.maximum_step = 1;
-    else if (name == "relax")
-      {
-        relaxed_fraction   = 1;
-        steps.initial_step = steps.maximum_step = 0.1;
-      }
     else if (name == "shear")
       H_targets[2] = 0.2;
     else if (name == "tension")
@@ -63,8 +58,9 @@ namespace NPT
     add_parameter(prm,
                   "Type",
                   given_type,
-                  "What the stage does. Automatic: weave, release or relax if "
-                  "it is so named, else load.");
+                  "What the stage does. Automatic: weave or release if it is "
+                  "so named, else load. relax: stress and contact pressure "
+                  "relax, see Relaxed fraction.");
     add_parameter(
       prm,
       "Targets",
@@ -152,7 +148,6 @@ namespace NPT
     type     = given_type        ? *given_type :
                name == "weave"   ? Type::weave :
                name == "release" ? Type::release :
-               name == "relax"   ? Type::relax :
                                    Type::load;
     friction = given_friction.value_or(type == Type::load);
     if (type == Type::load && H_targets.empty() && n_targets.empty())
@@ -179,7 +174,7 @@ namespace NPT
     check_order(const std::vector<LoadStage> &stages)
     {
       const std::string where =
-        "; the order is weave, release, then relax and load (entry Stages, subsection Load "
+        "; the order is weave, release, load (entry Stages, subsection Load "
         "programme).";
       const LoadStage *weave = nullptr, *release = nullptr, *load = nullptr;
       for (const LoadStage &stage : stages)

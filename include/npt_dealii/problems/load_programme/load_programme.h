@@ -57,7 +57,7 @@ namespace NPT
 
     /**
      * A stage with the defaults that its name has: "weave" and "release" have
-     * steps of at most 0.1 and 1 of the stage, "relax" of 0.1, others of 0.05;
+     * steps of at most 0.1 and 1 of the stage, others of 0.05;
      * "shear" has the target H3 = 0.2, "tension" H1 = 0.2.
      */
     explicit LoadStage(const std::string &name);
