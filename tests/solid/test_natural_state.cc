@@ -71,7 +71,7 @@ namespace
   }
 
   Vector<double>
-  some_displacement(const DeformableBodies &bodies)
+  wavy_displacement(const DeformableBodies &bodies)
   {
     Vector<double> u(bodies.n_displacements());
     for (unsigned int k = 0; k < u.size(); ++k)
@@ -110,8 +110,8 @@ TEST_CASE("A relaxed body answers as one that was built in its shape",
       CHECK(std::abs(relaxed.stored_energy(u0, natural)) < 1e-13);
 
       Vector<double> u = u0;
-      u += some_displacement(relaxed);
-      const Vector<double> v          = some_displacement(built);
+      u += wavy_displacement(relaxed);
+      const Vector<double> v          = wavy_displacement(built);
       Vector<double>       difference = forces(relaxed, u, natural);
       difference -= forces(built, v);
       CHECK(difference.l2_norm() < 1e-12 * forces(built, v).l2_norm());
@@ -143,7 +143,7 @@ TEST_CASE("With a natural state forces are the derivative of the energy and "
       INFO(law);
       const auto bodies = make_block(law, dealii::unit_symmetric_tensor<3>());
       const NaturalState natural =
-        bodies.relax(some_displacement(bodies), {}, 0.7);
+        bodies.relax(wavy_displacement(bodies), {}, 0.7);
       const Vector<double> u = displacement_by(bodies, some_gradient());
       const Vector<double> f = forces(bodies, u, natural);
 
