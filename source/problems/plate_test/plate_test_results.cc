@@ -214,9 +214,10 @@ namespace NPT
         row.largest_penetration =
           std::max(row.largest_penetration, summary.largest_penetration);
       }
-    if (stage.type == LoadStage::Type::relax)
-      row.dissipation +=
-        state.energies.dissipation - step.before.energies.dissipation;
+    if (stage.type == LoadStage::Type::relax) // with what friction dissipates
+      row.dissipation = memory_.curve.back().dissipation +
+                        state.energies.dissipation -
+                        step.before.energies.dissipation;
     row.stored_energy     = state.energies.stored;
     row.newton_iterations = step.report.newton.iterations;
     row.newton_order      = step.report.newton.order();
