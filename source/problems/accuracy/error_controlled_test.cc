@@ -285,6 +285,28 @@ namespace NPT
 
 
 
+  // A probe may be too coarse to be woven where the main run is not.
+  bool
+  ErrorControlledTest::make_probes_finer(AccuracySetting &setting,
+                                         const bool       coarse_mesh_failed)
+  {
+    if (cpu_seconds_ + 3. * last_main_cpu_seconds_ >
+        parameters_.accuracy.cpu_limit)
+      return false;
+    if (!coarse_mesh_failed)
+      {
+        AccuracySetting base;
+        base.n_elements = base_mesh_;
+        base.refine(ErrorSource::mesh);
+        base_mesh_ = base.n_elements;
+        if (base_mesh_ <= setting.coarser_mesh())
+          return true;
+      }
+    return setting.refine(ErrorSource::mesh);
+  }
+
+
+
   bool
   ErrorControlledTest::refine(AccuracySetting              &setting,
                               const std::vector<ErrorBars> &bars) const
@@ -329,8 +351,8 @@ namespace NPT
           if (c->result.status != "done" && failed == nullptr)
             failed = c;
         if (failed != nullptr && failed != &cases.main &&
-            setting.refine(ErrorSource::mesh))
-          continue; // the main run is the coarser mesh then
+            make_probes_finer(setting, failed == &cases.coarse))
+          continue;
         enough = failed != nullptr || bars.empty() ||
                  worst(bars).relative <= target || !refine(setting, bars);
         if (!enough)

@@ -84,6 +84,9 @@ namespace NPT
     estimate(const Probes<SweepCase> &cases) const;
     void
     report(const AccuracySetting &setting, const std::vector<ErrorBars> &bars);
+    // After a probe has failed; false as refine().
+    bool
+    make_probes_finer(AccuracySetting &setting, const bool coarse_mesh_failed);
     // False if nothing can be refined, or not within the limit of CPU time.
     bool
     refine(AccuracySetting &setting, const std::vector<ErrorBars> &bars) const;
