@@ -150,7 +150,7 @@ namespace NPT
       {
         result.parts[s] = envelope(result.parts[s]);
         for (std::size_t i = 0; i < n; ++i)
-          result.bar[i] += result.parts[s][i];
+          result.bar[i] += factor_of_safety * result.parts[s][i];
         result.relative_parts[s] =
           norm(result.main.load_factor, result.parts[s]) / size;
       }

@@ -23,12 +23,13 @@ namespace
     of(const std::string &unit) const
     {
       const double L = length, S = stress;
-      return unit == "-" || unit.empty() || unit == "s" ? 1. :
-             unit == "mm"                               ? L :
-             unit == "1/mm"                             ? 1. / L :
-             unit == "N/mm"                             ? S * L :
-             unit == "N"                                ? S * L * L :
-             unit == "N mm"                             ? S * L * L * L :
+      return unit == "-" || unit.empty() || unit == "s" || unit == "degree" ?
+               1. :
+             unit == "mm"   ? L :
+             unit == "1/mm" ? 1. / L :
+             unit == "N/mm" ? S * L :
+             unit == "N"    ? S * L * L :
+             unit == "N mm" ? S * L * L * L :
                               throw std::logic_error("What is " + unit + "?");
     }
   };

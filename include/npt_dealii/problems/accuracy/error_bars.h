@@ -51,13 +51,14 @@ namespace NPT
     T soft_contact; ///< penalties divided by `penalty_ratio`
     T long_steps;   ///< twice the load step
   };
-  constexpr double penalty_ratio = 3.;
+  constexpr double penalty_ratio    = 3.;
+  constexpr double factor_of_safety = 1.25;
 
   /**
    * A curve with its error bar. At every step of the main run
    *
    * @f[ y = y_{main} + \frac{y_{base} - y_{soft}}{r - 1}, \qquad
-   *     e = \sum_s e_s , @f]
+   *     e = 1.25 \sum_s e_s , @f]
    *
    * because the error by a penalty is proportional to its inverse; r is
    * penalty_ratio. The parts are e_mesh = |y_main - y_coarse|, e_layers =
@@ -67,14 +68,17 @@ namespace NPT
    * Richardson's extrapolation would give for an error of second order if the
    * coarser mesh has 1.4 times larger elements; the mesh is not extrapolated,
    * because the edge of the contact zone makes errors scatter. Steps of other
-   * runs that lie between those of the main run are interpolated.
+   * runs that lie between those of the main run are interpolated. 1.25 is the
+   * factor of safety of Roache's grid convergence index (Journal of Fluids
+   * Engineering 116, 1994, 405).
    */
   struct ErrorBars
   {
     AnswerCurve                                      main;
     std::vector<double>                              value, bar;
     std::array<std::vector<double>, n_error_sources> parts;
-    /// L2 norm of bar and parts over the load factor relative to that of value.
+    /// L2 norm of the bar and of its parts (these without the factor) over the
+    /// load factor, relative to that of value.
     double                              relative = 0;
     std::array<double, n_error_sources> relative_parts{};
   };
