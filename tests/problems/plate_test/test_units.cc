@@ -110,7 +110,10 @@ namespace
         for (const CurveRow &row : curve)
           largest = std::max(largest, std::abs(curve_value(row, column)));
         // What is zero by symmetry is round-off of its like.
-        if (column[0] == 'N' || column[0] == 'n')
+        if (column == "shear_angle")
+          largest = std::max(largest, 1.); // degree
+        if (column[0] == 'N' || column[0] == 'n' || column == "shear_torque" ||
+            column == "frame_force")
           for (const CurveRow &row : curve)
             largest = std::max(largest, 1e-4 * row.N.norm());
         if (column[0] == 'M')
