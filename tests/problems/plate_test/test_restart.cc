@@ -272,6 +272,35 @@ TEST_CASE("What was solved and thrown away before a step does not change it",
 
 
 
+namespace
+{
+  // Stop a run after every step, and go on.
+  void
+  check_stopped_run(const PlateTestParameters &parameters)
+  {
+    const fs::path straight = empty_folder("straight"),
+                   stopped  = empty_folder("stopped");
+    REQUIRE(run_in(straight, parameters, false));
+    unsigned int n_starts = 1;
+    for (bool ended = run_in(stopped, parameters, true); !ended; ++n_starts)
+      {
+        CHECK(read_run_summary((stopped / "summary.csv").string()).reason ==
+              "interrupted");
+        const auto checkpoint =
+          read_checkpoint(stopped.string(), parameters, {});
+        REQUIRE(checkpoint);
+        REQUIRE(n_starts < 100);
+        ended = run_in(stopped, parameters, true, checkpoint);
+      }
+    check_same_curves(straight, stopped);
+    CHECK(n_starts >= read_curves((straight / "curves.csv").string()).size());
+    CHECK(read_run_summary((stopped / "summary.csv").string()).status ==
+          "done");
+  }
+} // namespace
+
+
+
 TEST_CASE("A run stopped after every step ends as if it had not been",
           "[plate_test]")
 {
@@ -279,28 +308,30 @@ TEST_CASE("A run stopped after every step ends as if it had not been",
     for (const std::string &enforcement : enforcements)
       {
         INFO(method << ", " << enforcement);
-        const PlateTestParameters parameters =
-          read(small_cell(method, enforcement));
-        const fs::path straight = empty_folder("straight"),
-                       stopped  = empty_folder("stopped");
-        REQUIRE(run_in(straight, parameters, false));
-        unsigned int n_starts = 1;
-        for (bool ended = run_in(stopped, parameters, true); !ended; ++n_starts)
-          {
-            CHECK(read_run_summary((stopped / "summary.csv").string()).reason ==
-                  "interrupted");
-            const auto checkpoint =
-              read_checkpoint(stopped.string(), parameters, {});
-            REQUIRE(checkpoint);
-            REQUIRE(n_starts < 100);
-            ended = run_in(stopped, parameters, true, checkpoint);
-          }
-        check_same_curves(straight, stopped);
-        CHECK(n_starts >=
-              read_curves((straight / "curves.csv").string()).size());
-        CHECK(read_run_summary((stopped / "summary.csv").string()).status ==
-              "done");
+        check_stopped_run(read(small_cell(method, enforcement)));
       }
+}
+
+
+
+TEST_CASE(
+  "So does one that is stopped while stress relaxes, or in bending with "
+  "objective jumps",
+  "[plate_test]")
+{
+  const auto small = small_cell("KTS", "penalty");
+  check_stopped_run(read(small,
+                         {"Load programme/Stages=weave, release, rest, shear",
+                          "Load programme/Stage rest/Type=relax",
+                          "Load programme/Stage rest/Relaxed fraction=0.6",
+                          "Load programme/Stage rest/Initial step=0.25",
+                          "Load programme/Stage rest/Maximum step=0.25"}));
+  check_stopped_run(read(small,
+                         {"Homogenization/Jumps=objective",
+                          "Load programme/Stages=weave, release, bend",
+                          "Load programme/Stage bend/Targets=H4: 0.01",
+                          "Load programme/Stage bend/Initial step=0.25",
+                          "Load programme/Stage bend/Maximum step=0.25"}));
 }
 
 
