@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace NPT
 {
@@ -78,9 +79,10 @@ namespace NPT
           curve.stage  = stage.name;
           curve.driven = gradient ? mode.name : mode.conjugate;
           curve.answer = gradient ? mode.conjugate : mode.name;
+          // A resultant that is held is so to the tolerance of Newton's method.
           if (std::abs(curve_value(before, curve.driven) - target.second) <=
-              1e-6 * std::abs(target.second))
-            return; // held
+              1e-4 * std::abs(target.second))
+            return;
           for (auto row = first; row != rows.end() && row->stage == stage.name;
                ++row)
             {
@@ -145,7 +147,9 @@ namespace NPT
       }
 
     result.bar.assign(n, 0.);
-    const double size = norm(result.main.load_factor, result.value);
+    // An answer that vanishes has no relative error that could be met.
+    const double size = std::max(norm(result.main.load_factor, result.value),
+                                 std::numeric_limits<double>::min());
     for (unsigned int s = 0; s < n_error_sources; ++s)
       {
         result.parts[s] = envelope(result.parts[s]);
