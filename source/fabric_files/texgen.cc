@@ -668,6 +668,18 @@ namespace NPT
 
 
 
+    // A line of a comment, whatever a file of another program has in its names.
+    std::string
+    one_line(std::string text)
+    {
+      for (char &c : text)
+        if (static_cast<unsigned char>(c) < ' ')
+          c = ' ';
+      return text;
+    }
+
+
+
     std::string
     two(const WarpWeft &value)
     {
@@ -703,10 +715,10 @@ namespace NPT
                        std::ostream        &out)
   {
     const CellParameters &cell = weave.cell;
-    out << "# The weave '" << weave.name << "' of the TexGen file " << source
-        << ".\n";
+    out << "# The weave '" << one_line(weave.name) << "' of the TexGen file "
+        << one_line(source) << ".\n";
     for (const std::string &note : weave.notes)
-      out << "# " << note << "\n";
+      out << "# " << one_line(note) << "\n";
     out << "# The material is not in the file: see subsection Fiber bundle "
            "material of\n# `npt_dealii --print-defaults`.\n\n"
         << "subsection Cell\n"

@@ -267,6 +267,17 @@ TEST_CASE("Every kind of file that is no such weave is refused by its sentence",
 
 
 
+TEST_CASE("Nothing in the names of a file gets behind the comments", "[texgen]")
+{
+  ImportedWeave w = read_texgen(weave({"ou", "uo"}));
+  w.name          = "a\nset Problem = none\r";
+  std::ostringstream out;
+  write_parameter_file(w, "weave.tg3", out);
+  CHECK(out.str().find("# The weave 'a set Problem = none '") == 0);
+}
+
+
+
 TEST_CASE("Materials of the file are named and not taken", "[texgen]")
 {
   const auto tow = read_texgen(
