@@ -182,6 +182,7 @@ TEST_CASE("The augmented Lagrangian gives one curve at penalties at which "
     return run({"Contact/Enforcement=" + enforcement,
                 "Contact/Normal penalty=" + penalty,
                 "Friction/Tangential penalty=" + penalty,
+                "Contact/Stick tolerance=2e-6",
                 "Load programme/Stage weave/Initial step=0.25",
                 "Load programme/Stage weave/Maximum step=0.25",
                 "Load programme/Stage shear/Targets=H3: 0.02",
@@ -194,11 +195,12 @@ TEST_CASE("The augmented Lagrangian gives one curve at penalties at which "
                penalty_300 = n3("penalty", "300");
   CHECK(std::abs(penalty_30 - penalty_300) > 0.02 * penalty_300);
   // The smallest one grows until it is of use, and keeps what it has grown to.
-  // What the tolerances leave of drift is 1.4e-4 of n3.
+  // The drift that the default tolerance leaves at points that stick is 6e-3 of
+  // n3 here, and differs by 1e-4 between the penalties.
   const double augmented = n3("augmented Lagrangian", "300");
   for (const std::string penalty : {"30", "0.3"})
     CHECK(n3("augmented Lagrangian", penalty) ==
-          Approx(augmented).epsilon(3e-4));
+          Approx(augmented).epsilon(2e-5));
 }
 
 

@@ -73,8 +73,9 @@ namespace
       "Benchmark/Load steps=3",
       "Tolerances/Peak pressure=0.8 %",
       "Tolerances/Pressure profile, L2=0.06",
+      // 0.109 with friction at Gauss points.
       "Tolerances/Traction profile, L2=0.12",
-      // Known to half a span of a twelfth of the width.
+      // Known to half a span, a/12 = c/6.
       "Tolerances/Stick half width=17 %"},
      rougher,
      "loss per cycle"},
