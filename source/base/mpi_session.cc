@@ -38,6 +38,8 @@ namespace NPT
 
   namespace
   {
+    bool keep_running = false;
+
     /*
      * Measured with Open MPI 4.1: MPI_Init costs 0.05 s of CPU time and 0.4 s
      * of waiting; these settings leave half of the first, under a third of the
@@ -68,9 +70,12 @@ namespace NPT
 
   MPISession::MPISession()
   {
-    if (!Launcher::of_this_process().is_present)
-      do_without_company();
-    MPI_Init(nullptr, nullptr);
+    if (!dealii::Utilities::MPI::job_supports_mpi())
+      {
+        if (!Launcher::of_this_process().is_present)
+          do_without_company();
+        MPI_Init(nullptr, nullptr);
+      }
     n_processes_ = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
     rank_        = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
     MPI_Comm_dup(MPI_COMM_WORLD, &for_the_end_);
@@ -81,7 +86,25 @@ namespace NPT
   MPISession::~MPISession()
   {
     MPI_Comm_free(&for_the_end_);
-    MPI_Finalize();
+    if (!keep_running)
+      MPI_Finalize();
+  }
+
+
+
+  void
+  MPISession::keep_for_later()
+  {
+    keep_running = true;
+  }
+
+
+
+  void
+  MPISession::end_if_kept()
+  {
+    if (keep_running && dealii::Utilities::MPI::job_supports_mpi())
+      MPI_Finalize();
   }
 
 

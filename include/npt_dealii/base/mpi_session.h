@@ -28,7 +28,7 @@ namespace NPT
 
   /**
    * MPI, from the construction of an object of this class to its destruction;
-   * one per process.
+   * one at a time, and one per process unless keep_for_later() was called.
    *
    * dealii::Utilities::MPI::MPI_InitFinalize does the same and starts PETSc,
    * SLEPc, p4est and Zoltan, too, which nobody uses here. A process without a
@@ -68,6 +68,16 @@ namespace NPT
     bool
     meet_at_end(
       const double patience = std::numeric_limits<double>::infinity()) const;
+
+    /// From now on MPI goes on at the end of a session, for the next one: it
+    /// can be started only once in a process, and that takes longer than to
+    /// compute a small case of a study.
+    static void
+    keep_for_later();
+
+    /// End MPI after the last session, if it was kept.
+    static void
+    end_if_kept();
 
   private:
     unsigned int n_processes_, rank_;

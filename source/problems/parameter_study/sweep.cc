@@ -8,15 +8,14 @@
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/run_log.h>
 #include <npt_dealii/io/table_file.h>
-#include <npt_dealii/problems/parameter_study/start_case.h>
+#include <npt_dealii/problems/parameter_study/case_process.h>
 #include <npt_dealii/problems/parameter_study/sweep.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sched.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -31,6 +30,8 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -184,39 +185,37 @@ namespace NPT
     // How a run ended, by its exit status and by what it left.
     RunSummary
     judge_run(const fs::path     &folder,
-              const int           status,
+              const CaseEnd      &end,
               const bool          wall_limit_hit,
-              const double        cpu_seconds,
               const SweepOptions &options)
     {
       RunSummary summary = what_remains(folder);
       // Of a case that went on, those of all its processes.
       summary.cpu_seconds    = options.continues ?
-                                 std::max(summary.cpu_seconds, cpu_seconds) :
-                                 cpu_seconds;
+                                 std::max(summary.cpu_seconds, end.cpu_seconds) :
+                                 end.cpu_seconds;
       const std::string said = last_words(folder);
 
       if (wall_limit_hit ||
-          (WIFSIGNALED(status) && options.cpu_limit > 0 &&
-           (WTERMSIG(status) == SIGXCPU ||
-            (WTERMSIG(status) == SIGKILL && cpu_seconds >= options.cpu_limit))))
+          (options.cpu_limit > 0 &&
+           (end.signal == SIGXCPU ||
+            (end.signal == SIGKILL && end.cpu_seconds >= options.cpu_limit))))
         {
           std::ostringstream message;
           message << "Ended after " << options.cpu_limit
                   << " s, the CPU limit of a case.";
           set_end(summary, "time limit", "time limit", message.str());
         }
-      else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL &&
-               said.empty())
+      else if (end.signal == SIGKILL && said.empty())
         set_end(summary,
                 "crashed",
                 signal_name(SIGKILL),
                 "Killed from outside. If nobody did so, the system had no "
                 "memory left: take a coarser mesh or fewer processes.");
-      else if (WIFSIGNALED(status))
-        set_end(summary, "crashed", signal_name(WTERMSIG(status)), said);
+      else if (end.signal != 0)
+        set_end(summary, "crashed", signal_name(end.signal), said);
       else
-        switch (WEXITSTATUS(status))
+        switch (end.status)
           {
             case 0:
               summary.status = "done";
@@ -255,9 +254,14 @@ namespace NPT
         throw OutputError(folder.string(), error.message());
     }
 
-    struct Run
+    struct Slot
     {
-      std::size_t       c;
+      explicit Slot(const SweepOptions &options)
+        : process(options)
+      {}
+
+      CaseProcess       process;
+      std::size_t       c = 0; // its case
       Clock::time_point start;
     };
 
@@ -434,9 +438,10 @@ namespace NPT
         : study_(options.directory)
         , to_run_(to_run)
         , options_(options)
-        , n_slots_(n_slots)
         , log_(log)
       {
+        for (unsigned int i = 0; i < n_slots; ++i)
+          slots_.push_back(std::make_unique<Slot>(options));
         for (const SweepCase &c : cases)
           description_[c.folder] = describe_case(c);
       }
@@ -444,30 +449,46 @@ namespace NPT
       void
       run_all()
       {
-        while (next_ < to_run_.size() || !running_.empty())
+        for (bool any_runs = true; any_runs || next_ < to_run_.size();)
           {
             if (Interruption::requested())
               end_all();
-            for (; next_ < to_run_.size() && running_.size() < n_slots_ &&
-                   is_available(to_run_[next_]);
-                 ++next_)
-              start(next_);
-            for (auto run = running_.begin(); run != running_.end();)
-              run = has_ended(*run) ? running_.erase(run) : std::next(run);
-            if (next_ < to_run_.size() || !running_.empty())
-              std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            any_runs = false;
+            for (const auto &slot : slots_)
+              {
+                if (slot->process.is_busy())
+                  look_for_end(*slot);
+                while (!slot->process.is_busy() && next_ < to_run_.size() &&
+                       is_available(to_run_[next_]))
+                  begin(*slot, next_++);
+                any_runs = any_runs || slot->process.is_busy();
+              }
+            if (any_runs || next_ < to_run_.size())
+              wait_a_little();
           }
       }
 
     private:
+      // 20 ms, or until a copy is ready for another case.
+      void
+      wait_a_little() const
+      {
+        std::vector<pollfd> channels;
+        for (const auto &slot : slots_)
+          if (slot->process.is_busy() && slot->process.channel() >= 0)
+            channels.push_back({slot->process.channel(), POLLIN, 0});
+        poll(channels.data(), channels.size(), 20);
+      }
+
       // No more cases; those that run finish their load step.
       void
       end_all()
       {
         next_ = to_run_.size();
         if (!told_to_end_)
-          for (const auto &run : running_)
-            kill(run.first, SIGTERM);
+          for (const auto &slot : slots_)
+            if (slot->process.is_busy())
+              slot->process.send(SIGTERM);
         told_to_end_ = true;
       }
 
@@ -485,7 +506,7 @@ namespace NPT
       }
 
       void
-      start(const std::size_t c)
+      begin(Slot &slot, const std::size_t c)
       {
         const fs::path folder = study_ / to_run_[c];
         // Whoever creates the claim has the case.
@@ -496,44 +517,31 @@ namespace NPT
         if (claim < 0)
           throw OutputError((folder / "claim").string(), std::strerror(errno));
         close(claim);
-        const pid_t pid = start_case(options_, folder.string());
-        AssertThrow(pid > 0,
-                    dealii::ExcMessage("No process can be started: " +
-                                       std::string(std::strerror(errno))));
-        running_[pid] = {c, Clock::now()};
+        slot.process.begin(folder.string());
+        slot.c     = c;
+        slot.start = Clock::now();
       }
 
-      // Also writes the result of a run that has ended.
-      bool
-      has_ended(const std::pair<const pid_t, Run> &run) const
+      // Also writes the result of a case that has ended.
+      void
+      look_for_end(Slot &slot) const
       {
         const double wall_seconds =
-          std::chrono::duration<double>(Clock::now() - run.second.start)
-            .count();
+          std::chrono::duration<double>(Clock::now() - slot.start).count();
         // A run that waits for something uses no CPU time.
         const bool too_long =
           options_.cpu_limit > 0 && wall_seconds > 10 * options_.cpu_limit + 60;
         if (too_long)
-          kill(run.first, SIGKILL);
-        int    status = 0;
-        rusage usage{};
-        if (wait4(run.first, &status, too_long ? 0 : WNOHANG, &usage) == 0)
-          return false;
-        const auto seconds = [](const timeval &t) {
-          return t.tv_sec + 1e-6 * t.tv_usec;
-        };
-        const double cpu = std::round(1000 * (seconds(usage.ru_utime) +
-                                              seconds(usage.ru_stime))) /
-                           1000;
+          slot.process.send(SIGKILL);
+        std::optional<CaseEnd> end = slot.process.end(too_long);
         // What was told to end has no result.
-        if (told_to_end_ && WIFSIGNALED(status))
-          return true;
-        const fs::path   folder = study_ / to_run_[run.second.c];
-        const RunSummary result =
-          judge_run(folder, status, too_long, cpu, options_);
+        if (!end || (told_to_end_ && end->signal != 0))
+          return;
+        end->cpu_seconds        = std::round(1000 * end->cpu_seconds) / 1000;
+        const fs::path   folder = study_ / to_run_[slot.c];
+        const RunSummary result = judge_run(folder, *end, too_long, options_);
         write_run_summary((folder / "result.csv").string(), result);
-        report(run.second.c, cpu, result);
-        return true;
+        report(slot.c, end->cpu_seconds, result);
       }
 
       void
@@ -562,10 +570,9 @@ namespace NPT
       const fs::path                     study_;
       const std::vector<std::string>    &to_run_;
       const SweepOptions                &options_;
-      const unsigned int                 n_slots_;
       std::ostream                      &log_;
       std::map<std::string, std::string> description_; // of a folder
-      std::map<pid_t, Run>               running_;
+      std::vector<std::unique_ptr<Slot>> slots_;
       std::size_t                        next_        = 0;
       bool                               told_to_end_ = false;
       std::string                        waits_for_; // the case said to do so

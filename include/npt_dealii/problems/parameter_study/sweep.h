@@ -58,7 +58,8 @@ namespace NPT
     std::string program = "/proc/self/exe";
 
     /// The same without starting a program: called with the arguments in a copy
-    /// of this process; returns the exit status. See start_case().
+    /// of this process, once for every case of the copy; returns the exit
+    /// status. See CaseProcess.
     std::function<int(const std::vector<std::string> &arguments)> run;
   };
 
@@ -79,9 +80,10 @@ namespace NPT
    * parameters is computed anew. Folders of cases that the study no longer has
    * stay as they are.
    *
-   * Every run is a process of its own: whatever happens to it, the others go
-   * on. CPU seconds are those of the whole process, start-up included. It runs
-   * with one thread. See start_case().
+   * Every place, of those side by side, is a process of its own: whatever
+   * happens to its case, the others go on. CPU seconds are those from the
+   * reading of the case's parameters to its pictures. It runs with one thread.
+   * See CaseProcess.
    *
    * While an object Interruption lives, a signal to end is handed on to the
    * cases, which end as plate tests do; then StageFailed is thrown.

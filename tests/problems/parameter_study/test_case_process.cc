@@ -2,7 +2,7 @@
 // Claims about cases that are computed by a copy of the process of the study.
 // This test program does not initialize MPI, as a study does not.
 
-#include <npt_dealii/problems/parameter_study/start_case.h>
+#include <npt_dealii/problems/parameter_study/case_process.h>
 #include <npt_dealii/problems/parameter_study/sweep.h>
 
 #include <catch2/catch.hpp>
@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -144,4 +145,48 @@ TEST_CASE("A copy begins as a program started anew and leaves nothing behind",
         "3 --output 1 10 1 1 0 printed");
   CHECK(TopTests::read_text(folder / "unwritten.txt") == "once\n");
   CHECK_FALSE(fs::exists(at_end));
+}
+
+
+
+TEST_CASE("A copy computes case after case; what one leaves behind is not the "
+          "next one's",
+          "[study]")
+{
+  const fs::path folder  = TopTests::fresh_folder("copies_go_on");
+  SweepOptions   options = copies_in(folder);
+  options.side_by_side   = 1;
+  options.cpu_limit      = 1;
+  options.run            = [](const std::vector<std::string> &arguments) {
+    static int                 n_before = 0;
+    const std::string          what     = TopTests::read_text(arguments.at(0));
+    const bool                 works    = what.compare(0, 4, "work") == 0;
+    const std::clock_t         begin    = std::clock();
+    volatile unsigned long int i        = 0;
+    while (works && std::clock() - begin < 0.6 * CLOCKS_PER_SEC)
+      i = i + 1;
+    if (what == "crash")
+      std::raise(SIGSEGV);
+    std::cout << n_before++ << ' ' << std::showpos << 1;
+    return what == "unwritten" ? 4 : 0;
+  };
+  auto cases = study_cases({"work", "work 2", "unwritten", "crash", "rest"});
+  std::ostringstream log;
+  run_cases(cases, options, log);
+  const auto screen = [&](const unsigned int c) {
+    return TopTests::read_text(folder / cases[c].folder / "screen.txt");
+  };
+  CHECK(screen(0) == "0 +1");
+  CHECK(cases[0].result.status == "done");
+  CHECK(cases[0].result.cpu_seconds > 0.55);
+  // The same process; its limit and its time count from here.
+  CHECK(screen(1) == "1 +1");
+  CHECK(screen(2) == "2 +1");
+  CHECK(cases[2].result.reason == "output");
+  // A status out of the ordinary, or a crash, ends it.
+  CHECK(screen(3).empty());
+  CHECK_THAT(cases[3].result.reason, Catch::Contains("egmentation"));
+  CHECK(screen(4) == "0 +1");
+  CHECK(cases[4].result.status == "done");
+  CHECK(cases[4].result.cpu_seconds < 0.3);
 }
