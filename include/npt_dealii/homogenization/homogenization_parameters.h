@@ -21,7 +21,7 @@ namespace NPT
       objective  ///< and nothing else
     };
 
-    Jumps jumps = Jumps::linear;
+    Jumps jumps = Jumps::automatic;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
