@@ -249,8 +249,11 @@ namespace NPT
       bending_ratio > 0. ?
         shear_modulus_for_bending(m.E_L, bending_ratio, bending_slenderness) :
         shear_modulus;
-    m.c     = compression_ratio;
-    m.eps_b = buckling_strain;
+    m.c = compression_ratio;
+    if (buckling_strain > 0.)
+      m.eps_b = buckling_strain;
+    else if (m.c < 1.)
+      m.eps_b = 0.5 * m.G_L / ((1. - m.c) * m.E_L);
     return m;
   }
 
@@ -336,8 +339,9 @@ namespace NPT
                   "Buckling strain",
                   buckling_strain,
                   "Dry bundle: compression along the fibers at which they "
-                  "buckle, e_b > 0 [-], Eq. (A31). With (1 - c) E_L e_b < G_L "
-                  "no kink bands arise.");
+                  "buckle, e_b [-], Eq. (A31). 0: at half of the shear "
+                  "stiffness, (1 - c) E_L e_b = G_L / 2, so that no kink bands "
+                  "arise.");
   }
 
 
@@ -373,7 +377,6 @@ namespace NPT
     check_positive("Fiber modulus", fiber_modulus);
     check_positive("Transverse modulus", transverse_modulus);
     check_positive("Longitudinal shear modulus", shear_modulus);
-    check_positive("Buckling strain", buckling_strain);
     check_positive("Fiber density", fiber_density);
     require(transverse_poisson > -1. && transverse_poisson < 1.,
             "Transverse Poisson ratio",
@@ -384,6 +387,11 @@ namespace NPT
             "Compression ratio",
             compression_ratio,
             "> 0 and <= 1",
+            subsection);
+    require(buckling_strain >= 0.,
+            "Buckling strain",
+            buckling_strain,
+            ">= 0",
             subsection);
     require(bending_ratio >= 0. && bending_ratio < 1.,
             "Bending ratio",

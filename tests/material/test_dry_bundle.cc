@@ -438,6 +438,10 @@ TEST_CASE("Entries of a data sheet become the constants of the dry bundle",
   CHECK(by_tex.V_0 == Approx(0.6));
   CHECK(fiber_fraction(1200., 2.5, 0.8) == Approx(0.6));
 
+  // Fibers buckle below G_L, unless the file says when.
+  const auto buckling = dry_constants("set Compression ratio = 0.2\n");
+  CHECK(0.8 * buckling.E_L * buckling.eps_b == Approx(0.5 * buckling.G_L));
+
   const auto bent = dry_constants("set Bending ratio = 0.01\n"
                                   "set Bending slenderness = 0.1\n");
   CHECK(bending_ratio(bent.E_L, bent.G_L, 0.1) == Approx(0.01));

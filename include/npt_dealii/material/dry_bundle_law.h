@@ -150,9 +150,11 @@ namespace NPT
     double bending_ratio       = 0.;     ///< B over that of a solid; 0: none
     double bending_slenderness = 0.;     ///< t/L of that bending test [-]
     double compression_ratio   = 1.;     ///< c [-]
-    double buckling_strain     = 1e-3;   ///< eps_b [-]
+    double buckling_strain     = 0.;     ///< eps_b [-]; 0: see constants()
 
-    /// What follows from the entries, (A30)-(A33).
+    /// What follows from the entries, (A30)-(A33). Without a buckling strain,
+    /// fibers buckle at half of the shear stiffness, (1 - c) E_L eps_b = G_L/2,
+    /// so that no kink bands arise.
     DryBundleConstants
     constants() const;
 
