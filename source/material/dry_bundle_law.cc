@@ -329,7 +329,8 @@ namespace NPT
                   "Bending slenderness",
                   bending_slenderness,
                   "Dry bundle: thickness over half wave of the bundle whose "
-                  "Bending ratio is given [-].");
+                  "Bending ratio is given [-]; the half wave of a cantilever "
+                  "under its weight is pi/2 times its length.");
     add_parameter(prm,
                   "Compression ratio",
                   compression_ratio,

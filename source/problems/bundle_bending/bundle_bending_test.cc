@@ -311,7 +311,8 @@ namespace NPT
                     "Half waves",
                     half_waves,
                     "Half wave lengths L [mm]: in a fabric the crossing "
-                    "spacing, of a cantilever twice its length.",
+                    "spacing; pi/2 times the length of a cantilever under its "
+                    "weight.",
                     dealii::Patterns::List(positive_number(), 1, 100));
       add_parameter(prm,
                     "Amplitudes",
