@@ -237,6 +237,62 @@ namespace NPT
 
 
 
+  IdentifiedBending
+  identify_bending(const BundleBendingParameters &p)
+  {
+    const double t = p.thickness;
+    const double C = make_material<3>(p.material, Point<3>::unit_vector(0))
+                       ->small_strain_stiffness()(0, 0);
+    const double solid = C * t * t * t / 12.;
+    if (!(p.measured > 0. && p.measured < solid))
+      {
+        std::ostringstream text;
+        text << "Measured stiffness is " << p.measured
+             << " N mm; it must be > 0 and less than that of a solid, " << solid
+             << " N mm (subsection Bending).";
+        throw InputError(text.str());
+      }
+    IdentifiedBending found;
+    found.ratio       = p.measured / solid;
+    found.slenderness = t / p.half_waves[0];
+    found.shear_modulus =
+      shear_modulus_for_bending(C, found.ratio, found.slenderness);
+    return found;
+  }
+
+
+
+  namespace
+  {
+    // The entries of the law that a measurement says, and whether it can be
+    // right.
+    void
+    report_identified(const BundleBendingParameters &p, RunLog &log)
+    {
+      const IdentifiedBending found = identify_bending(p);
+      std::ostringstream      text;
+      text << std::setprecision(5) << "Measured " << p.measured
+           << " N mm at the half wave " << p.half_waves[0]
+           << " mm: Bending ratio = " << found.ratio
+           << ", Bending slenderness = " << found.slenderness
+           << "; Longitudinal shear modulus = " << found.shear_modulus
+           << " MPa.";
+      log.line(text.str());
+      const double loose = loose_bending_ratio(p.fiber_diameter, p.thickness);
+      if (found.ratio < loose)
+        {
+          std::ostringstream warning;
+          warning
+            << "The measured stiffness is less than that of loose fibers ("
+            << found.ratio / loose
+            << " of it): check Fiber diameter, Thickness and the moduli.";
+          log.warning(warning.str());
+        }
+    }
+  } // namespace
+
+
+
   std::vector<BundleBendingRow>
   bend_bundle(const BundleBendingParameters &p,
               const std::string             &directory,
@@ -244,6 +300,8 @@ namespace NPT
   {
     RunLog log = RunLog::in_folder(directory, screen);
     log.header("Bundle bending", facts(p));
+    if (p.measured > 0.)
+      report_identified(p, log);
     log.line("  half wave    amplitude            B   by formula   B of solid "
              "= 1");
     std::unique_ptr<TableWriter> table;
@@ -327,6 +385,13 @@ namespace NPT
                     "fibers, Eq. (A34).",
                     positive_number());
       add_parameter(prm,
+                    "Measured stiffness",
+                    measured,
+                    "Bending stiffness of a bundle per width, at the first of "
+                    "the Half waves [N mm]: the log says which Bending ratio "
+                    "and shear modulus belong to it, Eq. (A33). 0: none.",
+                    dealii::Patterns::Double(0.));
+      add_parameter(prm,
                     "Degree",
                     degree,
                     "Degree of the splines along and across [-].",
@@ -372,6 +437,8 @@ namespace NPT
     parse_parameter_text(prm, text, overrides);
     parameters.material.check("Material");
     parameters.steps.check("subsection Bending");
+    if (parameters.measured > 0.)
+      identify_bending(parameters); // throws if it is out of range
     parameters.used_file = documented_parameters(prm);
     return parameters;
   }

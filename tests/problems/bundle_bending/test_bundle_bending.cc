@@ -88,3 +88,24 @@ TEST_CASE("A bending stiffness that is not that of the formula is an error if "
                     Catch::Contains("not that of Eq. (A33)") &&
                       Catch::Contains("Half wave 5.24 mm"));
 }
+
+
+
+TEST_CASE("The shear modulus that a measured bending stiffness says gives the "
+          "bundle that stiffness; one above a solid's is refused",
+          "[bundle_bending]")
+{
+  const auto measured =
+    BundleBendingParameters::read({}, {"Bending/Measured stiffness=3"});
+  const IdentifiedBending found = identify_bending(measured);
+  CHECK(found.slenderness == Approx(0.6 / 5.24));
+  const auto row = bend({"Material/Longitudinal shear modulus=" +
+                         std::to_string(found.shear_modulus)})[0];
+  CHECK(row.formula == Approx(3.).epsilon(1e-5)); // digits of the text
+  CHECK(row.stiffness == Approx(3.).epsilon(0.01));
+
+  CHECK_THROWS_WITH(
+    BundleBendingParameters::read({}, {"Bending/Measured stiffness=800"}),
+    Catch::Contains("Measured stiffness is 800 N mm") &&
+      Catch::Contains("less than that of a solid, 777.6 N mm"));
+}

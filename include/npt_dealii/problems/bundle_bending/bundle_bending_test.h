@@ -18,17 +18,19 @@ namespace NPT
   /// The parameters of `set Problem = bundle bending`.
   struct BundleBendingParameters
   {
-    double                 thickness      = 0.6;    ///< t [mm]
-    std::vector<double>    half_waves     = {5.24}; ///< L [mm]
-    std::vector<double>    amplitudes     = {1e-4}; ///< over the thickness [-]
-    double                 fiber_diameter = 0.017;  ///< d [mm]
-    unsigned int           degree         = 3;
-    unsigned int           n_along        = 8; ///< elements per quarter wave
-    unsigned int           n_across       = 8;
-    double                 tolerance      = 1; ///< of the first amplitude [-]
-    MaterialParameters     material       = MaterialParameters("dry bundle");
-    StepParameters         steps          = {0.25, 1e-4, 0.25};
-    NewtonParameters       newton         = {1e-10};
+    double              thickness      = 0.6;    ///< t [mm]
+    std::vector<double> half_waves     = {5.24}; ///< L [mm]
+    std::vector<double> amplitudes     = {1e-4}; ///< over the thickness [-]
+    double              fiber_diameter = 0.017;  ///< d [mm]
+    /// B per width at the first half wave [N mm]; 0: not measured.
+    double                 measured  = 0;
+    unsigned int           degree    = 3;
+    unsigned int           n_along   = 8; ///< elements per quarter wave
+    unsigned int           n_across  = 8;
+    double                 tolerance = 1; ///< of the first amplitude [-]
+    MaterialParameters     material  = MaterialParameters("dry bundle");
+    StepParameters         steps     = {0.25, 1e-4, 0.25};
+    NewtonParameters       newton    = {1e-10};
     LinearSolverParameters linear_solver;
     std::string            directory = "output-bundle-bending";
 
@@ -42,6 +44,19 @@ namespace NPT
     read(const ParameterText            &text,
          const std::vector<std::string> &overrides = {});
   };
+
+  /// What a bending stiffness says of the law of dry bundles, Eq. (A33).
+  struct IdentifiedBending
+  {
+    double ratio;         ///< B over that of a solid [-]
+    double slenderness;   ///< t/L [-]
+    double shear_modulus; ///< along the fibers [MPa]
+  };
+
+  /// From the measured stiffness and the first half wave. Throws InputError
+  /// unless it lies between 0 and that of a solid.
+  IdentifiedBending
+  identify_bending(const BundleBendingParameters &parameters);
 
   /// Bending stiffness of one wave, per width of the bundle [N mm].
   struct BundleBendingRow
