@@ -4,8 +4,8 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_binding.h>
-#include <npt_dealii/base/tensor_tools.h>
 #include <npt_dealii/material/fiber_bundle_law.h>
+#include <npt_dealii/material/fiber_kinematics.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -38,85 +38,17 @@ namespace NPT
 
 
 
-    // The invariants at F and the vectors of their derivatives.
+    // First derivatives of Psi by the invariants.
     template <int dim>
-    struct FiberKinematics
+    FiberEnergyDerivatives
+    first_derivatives(const FiberBundleConstants &constants,
+                      const FiberKinematics<dim> &s)
     {
-      FiberKinematics(const double *F, const dealii::Tensor<1, dim> &A)
-      {
-        log_J = std::log(inverse_transpose<dim>(F, G));
-
-        I1_minus_3 = -dim; // plane strain: F_33 = 1
-        for (int e = 0; e < dim * dim; ++e)
-          I1_minus_3 += F[e] * F[e];
-
-        for (int i = 0; i < dim; ++i)
-          {
-            f[i] = 0.;
-            for (int J = 0; J < dim; ++J)
-              f[i] += F[i * dim + J] * A[J];
-          }
-        for (int J = 0; J < dim; ++J)
-          {
-            h[J] = 0.;
-            for (int i = 0; i < dim; ++i)
-              h[J] += F[i * dim + J] * f[i];
-          }
-        I4_minus_1 = -1.;
-        I5_minus_1 = -1.;
-        for (int i = 0; i < dim; ++i)
-          {
-            Fh[i] = 0.;
-            for (int J = 0; J < dim; ++J)
-              Fh[i] += F[i * dim + J] * h[J];
-            I4_minus_1 += f[i] * f[i];
-            I5_minus_1 += h[i] * h[i];
-          }
-      }
-
-      double G[dim * dim]; ///< F^{-T} = d ln J / dF
-      double f[dim];       ///< F A, the fiber in the current configuration
-      double h[dim];       ///< C A
-      double Fh[dim];
-      double log_J, I1_minus_3, I4_minus_1, I5_minus_1;
-    };
-
-
-
-    // First derivatives of Psi with respect to ln J, I_4 and I_5.
-    struct EnergyDerivatives
-    {
-      template <int dim>
-      EnergyDerivatives(const FiberBundleConstants &constants,
-                        const FiberKinematics<dim> &s)
-      {
-        const auto [mu, lambda, a, b, c, d] = constants;
-
-        log_J = -mu + lambda * s.log_J + b * s.I4_minus_1 - d * s.I5_minus_1;
-        I4    = a + b * s.log_J + 2. * c * s.I4_minus_1;
-        I5    = -(0.5 * a + d * s.log_J);
-      }
-
-      double log_J, I4, I5;
-    };
-
-
-
-    // P = mu F + Psi_,lnJ F^{-T} + Psi_,4 dI4/dF + Psi_,5 dI5/dF
-    template <int dim>
-    void
-    compute_stress(const double                  mu,
-                   const double                 *F,
-                   const dealii::Tensor<1, dim> &A,
-                   const FiberKinematics<dim>   &s,
-                   const EnergyDerivatives      &dPsi,
-                   double                       *P)
-    {
-      for (int i = 0; i < dim; ++i)
-        for (int J = 0; J < dim; ++J)
-          P[i * dim + J] = mu * F[i * dim + J] + dPsi.log_J * s.G[i * dim + J] +
-                           2. * dPsi.I4 * s.f[i] * A[J] +
-                           2. * dPsi.I5 * (s.f[i] * s.h[J] + s.Fh[i] * A[J]);
+      const auto [mu, lambda, a, b, c, d] = constants;
+      return {0.5 * mu,
+              -mu + lambda * s.log_J + b * s.I4_minus_1 - d * s.I5_minus_1,
+              a + b * s.log_J + 2. * c * s.I4_minus_1,
+              -(0.5 * a + d * s.log_J)};
     }
   } // namespace
 
@@ -204,8 +136,8 @@ namespace NPT
   FiberBundleLaw<dim>::stress(const double *F, double *P) const
   {
     const FiberKinematics<dim> s(F, fiber_direction_);
-    const EnergyDerivatives    dPsi(constants_, s);
-    compute_stress(constants_.mu, F, fiber_direction_, s, dPsi, P);
+    compute_fiber_stress(
+      F, fiber_direction_, s, first_derivatives(constants_, s), P);
   }
 
 
@@ -220,75 +152,28 @@ namespace NPT
 
     const dealii::Tensor<1, dim> A = fiber_direction_;
     const FiberKinematics<dim>   s(F, A);
-    const EnergyDerivatives      dPsi(constants_, s);
-    compute_stress(mu, F, A, s, dPsi, P);
+    const FiberEnergyDerivatives dPsi = first_derivatives(constants_, s);
+    compute_fiber_stress(F, A, s, dPsi, P);
 
-    // Part 1, second derivatives of Psi: a sum of three dyads,
+    // The second derivatives of Psi are a sum of three dyads,
     //   G (x) (lambda G + b D4 - d D5) + D4 (x) (b G + 2 c D4) - D5 (x) d G,
-    // where D4 = dI4/dF, D5 = dI5/dF. The right factors:
+    // where D4 = dI4/dF, D5 = dI5/dF.
     const double *G = s.G;
-    double        D4[dim * dim], D5[dim * dim];
-    double        right_G[dim * dim], right_D4[dim * dim], right_D5[dim * dim];
+    double        left[3][dim * dim], right[3][dim * dim];
     for (int i = 0; i < dim; ++i)
       for (int J = 0; J < dim; ++J)
         {
-          const int e = i * dim + J;
-          D4[e]       = 2. * s.f[i] * A[J];
-          D5[e]       = 2. * (s.f[i] * s.h[J] + s.Fh[i] * A[J]);
-          right_G[e]  = lambda * G[e] + b * D4[e] - d * D5[e];
-          right_D4[e] = b * G[e] + 2. * c * D4[e];
-          right_D5[e] = -d * G[e];
+          const int    e  = i * dim + J;
+          const double D4 = 2. * s.f[i] * A[J];
+          const double D5 = 2. * (s.f[i] * s.h[J] + s.Fh[i] * A[J]);
+          left[0][e]      = G[e];
+          left[1][e]      = D4;
+          left[2][e]      = D5;
+          right[0][e]     = lambda * G[e] + b * D4 - d * D5;
+          right[1][e]     = b * G[e] + 2. * c * D4;
+          right[2][e]     = -d * G[e];
         }
-
-    // Part 2, second derivatives of the invariants:
-    //   d2 I1/2 = delta_ik delta_JL,  d2 lnJ = - G_iL G_kJ,
-    //   d2 I4/2 = delta_ik A_J A_L,
-    //   d2 I5/2 = delta_ik (h_J A_L + A_J h_L) + delta_JL f_i f_k
-    //           + f_i F_kJ A_L + F_iL f_k A_J + (F F^T)_ik A_J A_L.
-    const double q4 = 2. * dPsi.I4, q5 = 2. * dPsi.I5;
-
-    double delta_ik_part[dim * dim];
-    for (int J = 0; J < dim; ++J)
-      for (int L = 0; L < dim; ++L)
-        delta_ik_part[J * dim + L] = (J == L ? mu : 0.) + q4 * A[J] * A[L] +
-                                     q5 * (s.h[J] * A[L] + A[J] * s.h[L]);
-
-    for (int i = 0; i < dim; ++i)
-      {
-        const double *F_i = F + i * dim, *G_i = G + i * dim;
-
-        double q5_B_i[dim]; // row i of Psi_,5 F F^T
-        for (int k = 0; k < dim; ++k)
-          {
-            q5_B_i[k] = 0.;
-            for (int M = 0; M < dim; ++M)
-              q5_B_i[k] += q5 * F_i[M] * F[k * dim + M];
-          }
-
-        for (int J = 0; J < dim; ++J)
-          {
-            const int e   = i * dim + J;
-            double   *row = tangent + e * dim * dim;
-            for (int k = 0; k < dim; ++k)
-              {
-                // The factors of G_iL, F_iL and A_L, so that the innermost
-                // loop is a sum of six scaled rows.
-                const double with_G = -dPsi.log_J * G[k * dim + J];
-                const double with_F = q5 * s.f[k] * A[J];
-                const double with_A =
-                  q5 * s.f[i] * F[k * dim + J] + q5_B_i[k] * A[J];
-                for (int L = 0; L < dim; ++L)
-                  row[k * dim + L] = G[e] * right_G[k * dim + L] +
-                                     D4[e] * right_D4[k * dim + L] +
-                                     D5[e] * right_D5[k * dim + L] +
-                                     with_G * G_i[L] + with_F * F_i[L] +
-                                     with_A * A[L];
-                row[k * dim + J] += q5 * s.f[i] * s.f[k];
-              }
-            for (int L = 0; L < dim; ++L)
-              row[i * dim + L] += delta_ik_part[J * dim + L];
-          }
-      }
+    compute_fiber_tangent<dim, 3>(F, A, s, dPsi, left, right, tangent);
   }
 
 

@@ -3,6 +3,7 @@
 // strain, closed forms, and the failure at det F <= 0.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/material/dry_bundle_law.h>
 #include <npt_dealii/material/fiber_bundle_law.h>
 #include <npt_dealii/material/neo_hookean.h>
 
@@ -38,6 +39,16 @@ namespace
     laws.push_back(
       std::make_unique<FiberBundleLaw<dim>>(FiberBundleConstants(),
                                             random_direction<dim>(generator)));
+    // Moduli like those of the others, which the tolerances below are for, and
+    // so loose that 20 % strain stays away from the closest packing.
+    DryBundleConstants dry;
+    dry.E_L   = 100.;
+    dry.c     = 0.2;
+    dry.eps_b = 0.2;
+    dry.V_0   = 0.1;
+    laws.push_back(
+      std::make_unique<DryBundleLaw<dim>>(dry,
+                                          random_direction<dim>(generator)));
     return laws;
   }
 
@@ -453,6 +464,8 @@ TEST_CASE("Plane strain is the three-dimensional law with F33 = 1",
   compare(FiberBundleLaw<2>(FiberBundleConstants(), A2),
           FiberBundleLaw<3>(FiberBundleConstants(), A3));
   compare(NeoHookean<2>({1., 2.}), NeoHookean<3>({1., 2.}));
+  compare(DryBundleLaw<2>(DryBundleConstants(), A2),
+          DryBundleLaw<3>(DryBundleConstants(), A3));
 }
 
 

@@ -222,7 +222,15 @@ namespace NPT
     check_distinct(from_one, "Fiber directions");
     steps.check("subsection Homogeneous states");
     if (SolidCases::instance().get(name).is_homogeneous())
-      return;
+      {
+        if (!material.selected<NeoHookeanParameters>() &&
+            !material.selected<FiberBundleParameters>())
+          throw InputError("Law is " + material.law +
+                           "; closed forms of homogeneous states are those of "
+                           "the laws fiber bundle and neo-Hookean (subsection "
+                           "Material).");
+        return;
+      }
 
     std::ostringstream message;
     if (outer_size <= inner_radius)

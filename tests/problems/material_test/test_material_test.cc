@@ -3,6 +3,7 @@
 // the chain from fibers and matrix to the bundle law.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/material/dry_bundle_law.h>
 #include <npt_dealii/problems/material_test/composite_bounds.h>
 #include <npt_dealii/problems/material_test/numerical_material_testing.h>
 
@@ -116,6 +117,35 @@ namespace
     return one;
   }
 } // namespace
+
+
+
+TEST_CASE("A cell that is dry bundle all over has the stress of the law, with "
+          "buckled fibers, compaction and sliding",
+          "[top]")
+{
+  std::vector<std::string> entries =
+    one_step("H11: -0.001, H13: 0.1, H22: -0.03, H33: -0.05");
+  for (const std::string material : {"Fiber", "Matrix"})
+    for (const std::string entry : {"Law=dry bundle",
+                                    "Compression ratio=0.01",
+                                    "Longitudinal shear modulus=4"})
+      entries.push_back(material + " material/" + entry);
+  const auto test = run(entries);
+
+  DryBundleParameters dry;
+  dry.compression_ratio = 0.01;
+  dry.shear_modulus     = 4.;
+  Tensor<2, 3> F, P;
+  F[0][0] = 0.999;
+  F[0][2] = 0.1;
+  F[1][1] = 0.97;
+  F[2][2] = 0.95;
+  dry.make_law(dealii::Point<3>::unit_vector(0))->stress(F, P);
+  // Newton's method stops at 1e-10 of forces; the modulus along the fibers is
+  // 10^4 times the stress.
+  CHECK(difference(test->rows().back().P, P) < 1e-6);
+}
 
 
 

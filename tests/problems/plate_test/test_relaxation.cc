@@ -166,3 +166,34 @@ TEST_CASE("Stages that relax nothing, too early or by accident are refused",
   CHECK_THAT(refused({"Load programme/Stage shear/Relaxed fraction=0.5"}),
              Catch::Contains("is not of type relax"));
 }
+
+
+
+TEST_CASE("Dry bundles are woven, relax and are sheared without a loss of "
+          "ellipticity, and at rest bear nothing",
+          "[top]")
+{
+  std::ostringstream    screen;
+  NumericalPlateTesting test(
+    PlateTestParameters::read(read_parameter_text(
+                                NPT_SOURCE_DIR "/prm/fabrics/twintex_dry.prm"),
+                              {"Mesh/Elements along=4",
+                               "Mesh/Elements across=3",
+                               "Load programme/Stage shear/Targets=H3: 0.3",
+                               "Load programme/Stage shear/Initial step=0.1",
+                               "Load programme/Stage shear/Maximum step=0.1"}),
+    "",
+    screen);
+  test.run();
+  double woven = 0;
+  for (const CurveRow &row : test.curve())
+    {
+      if (row.stage == "release")
+        woven = row.n[0];
+      if (row.stage == "relax" && row.load_factor == 1.)
+        CHECK(std::abs(row.n[0]) < 1e-8 * woven);
+    }
+  CHECK(woven > 1.);
+  CHECK(test.curve().back().H[2] == Approx(0.3));
+  CHECK(screen.str().find("ellipticity") == std::string::npos);
+}

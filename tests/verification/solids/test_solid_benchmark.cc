@@ -295,3 +295,13 @@ TEST_CASE("Unusable benchmarks are refused with one sentence", "[top]")
   CHECK_THAT(message({"Material/Law=fiber bundle"}),
              Catch::Contains("the one of the neo-Hookean law"));
 }
+
+
+
+TEST_CASE("A block of a law without closed forms is refused", "[top]")
+{
+  CHECK_THROWS_WITH(SolidBenchmarkParameters::read(
+                      {}, {"Benchmark/Case=block", "Material/Law=dry bundle"}),
+                    Catch::Contains(
+                      "Law is dry bundle; closed forms of homogeneous states"));
+}
