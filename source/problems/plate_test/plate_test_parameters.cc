@@ -336,6 +336,7 @@ namespace NPT
   void
   PlateTestParameters::complete()
   {
+    friction.check();
     if (accuracy.is_on())
       accuracy.target(); // or refused
     cell.check();
