@@ -184,6 +184,9 @@ namespace NPT
             const auto  &a = yarn.nodes.front(), &b = yarn.nodes.back();
             const double dx = std::abs(b[0] - a[0]), dy = std::abs(b[1] - a[1]);
             const unsigned int along = dx > dy ? 0 : 1;
+            // Woven yarns swerve a little where their neighbors differ.
+            const bool   woven = yarn.section && yarn.section->is_woven();
+            const double bend  = woven ? 0.02 : 1e-6;
             if (std::min(dx, dy) > 1e-6 * std::max(dx, dy) ||
                 !(std::max(dx, dy) > 0.))
               refuse(yarn.name +
@@ -191,9 +194,9 @@ namespace NPT
                      "not read");
             for (const auto &node : yarn.nodes)
               if (std::abs(node[1 - along] - a[1 - along]) >
-                  1e-6 * std::max(dx, dy))
+                  bend * std::max(dx, dy))
                 refuse(yarn.name + " is not straight in the plane");
-            families[along].push_back({k, a[1 - along]});
+            families[along].push_back({k, mean_across(yarn, 1 - along)});
             for (const auto &repeat : yarn.repeats)
               for (unsigned int d = 0; d < 2; ++d)
                 if (repeat[d] != 0. && repeat[1 - d] == 0.)
@@ -220,6 +223,22 @@ namespace NPT
         read_heights(families, period);
       }
 
+      bool
+      is_woven(const std::vector<StraightYarn> &family) const
+      {
+        const auto &section = yarns_[family[0].index].section;
+        return section && section->is_woven();
+      }
+
+      static double
+      mean_across(const Yarn &yarn, const unsigned int across)
+      {
+        double sum = 0;
+        for (const auto &node : yarn.nodes)
+          sum += node[across] / yarn.nodes.size();
+        return sum;
+      }
+
       void
       check_spacing(const std::vector<StraightYarn> &family,
                     const double                     period) const
@@ -227,7 +246,7 @@ namespace NPT
         const double spacing = period / family.size();
         for (std::size_t k = 1; k < family.size(); ++k)
           if (std::abs(family[k].at - family[k - 1].at - spacing) >
-              1e-4 * spacing)
+              (is_woven(family) ? 1e-2 : 1e-4) * spacing)
             refuse(yarns_[family[k].index].name + " lies " +
                    short_number(family[k].at - family[k - 1].at) +
                    " mm beside its neighbor, where equal spacing would be " +
@@ -317,7 +336,8 @@ namespace NPT
                        yarn.section->shape + ", that of the first yarn " +
                        first->shape +
                        "; warp and weft have one shape of section here");
-              check_sizes(yarn);
+              if (!yarn.section->is_woven())
+                check_sizes(yarn);
             }
         if (first == nullptr)
           return;
@@ -338,6 +358,13 @@ namespace NPT
             weave_.notes.push_back(
               "The corners of the rectangle are rounded by a tenth of its "
               "height (Blunt tip).");
+            return;
+          }
+        if (std::any_of(yarns_.begin(), yarns_.end(), [](const Yarn &yarn) {
+              return yarn.section && yarn.section->is_woven();
+            }))
+          {
+            set_woven_sections();
             return;
           }
         if (cell.section == "lens")
@@ -363,6 +390,39 @@ namespace NPT
           short_number(100. * (cell.warp_section().area() / sharp.area() - 1.),
                        2) +
           " % larger.");
+      }
+
+      // Lenses with the mean areas of the sections: the tip fits both families
+      // in the mean, the widths the rest.
+      void
+      set_woven_sections()
+      {
+        CellParameters &cell = weave_.cell;
+        const auto      area = [&](const double width, const double height) {
+          for (const Yarn &yarn : yarns_)
+            if (yarn.section && yarn.section->width == width &&
+                yarn.section->height == height)
+              return yarn.section->area;
+          refuse("its yarns have different kinds of sections");
+        };
+        double &warp_width     = cell.bundle_width.warp,
+               &weft_width     = cell.bundle_width.weft;
+        const double warp_box  = warp_width * cell.bundle_thickness.warp,
+                     weft_box  = weft_width * cell.bundle_thickness.weft;
+        const double warp_area = area(warp_width, cell.bundle_thickness.warp),
+                     weft_area = area(weft_width, cell.bundle_thickness.weft);
+        const double filled =
+          0.5 * (warp_area / warp_box + weft_area / weft_box);
+        cell.blunt_tip =
+          std::clamp(1.5 * filled - 1., thinnest_blunt_tip, 0.45);
+        const double lens = 2. / 3. * (1. + cell.blunt_tip);
+        warp_width *= warp_area / (lens * warp_box);
+        weft_width *= weft_area / (lens * weft_box);
+        weave_.notes.push_back(
+          "The sections of the file are polygons of a woven state; the straight "
+          "bundles are lenses with their mean areas, " +
+          short_number(warp_area, 4) + " mm^2 (X) and " +
+          short_number(weft_area, 4) + " mm^2 (Y), and their mean heights.");
       }
 
       // e/t with which a lens, whose faces are parabolas of half height e at

@@ -5,6 +5,7 @@
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/fabric_files/texgen.h>
 
+#include <array>
 #include <map>
 #include <ostream>
 
@@ -144,6 +145,92 @@ namespace NPT
           out << " Power=\"" << number(power->second) << "\"";
         out << " />\n            </YarnSection>\n        </Yarn>\n";
       }
+    out << "    </Textile>\n</TexGenModel>\n";
+  }
+
+
+
+  namespace
+  {
+    std::string
+    three(const dealii::Tensor<1, 3> &v)
+    {
+      std::string result;
+      for (unsigned int c = 0; c < 3; ++c)
+        result += (c == 0 ? "" : ", ") + EntryValue<double>::text(v[c]);
+      return result;
+    }
+
+
+
+    // Half spaces that hold the repeat.
+    void
+    write_domain(const std::array<dealii::Point<3>, 2> &box, std::ostream &out)
+    {
+      out << "        <Domain type=\"CDomainPlanes\">\n";
+      for (unsigned int d = 0; d < 3; ++d)
+        for (const double sign : {1., -1.})
+          {
+            dealii::Tensor<1, 3> normal;
+            normal[d] = sign;
+            out << "            <Plane Normal=\"" << three(normal) << "\" d=\""
+                << EntryValue<double>::text(sign * box[sign > 0. ? 0 : 1][d])
+                << "\" />\n";
+          }
+      out << "        </Domain>\n";
+    }
+
+
+
+    void
+    write_yarn(const std::vector<WovenTextile::Station>  &yarn,
+               const unsigned int                         index,
+               const std::array<dealii::Tensor<1, 3>, 2> &repeats,
+               std::ostream                              &out)
+    {
+      out << "        <Yarn index=\"" << index << "\" NumSlaveNodes=\""
+          << 4 * yarn.size() << "\" NumSectionPoints=\""
+          << yarn[0].section.size() << "\" NeedsBuilding=\"7\">\n"
+          << "            <Interpolation Periodic=\"1\" "
+             "type=\"CInterpolationCubic\" />\n"
+          << "            <YarnSection type=\"CYarnSectionInterpNode\" "
+             "Ramped=\"0\" Polar=\"0\">\n";
+      for (std::size_t k = 0; k < yarn.size(); ++k)
+        {
+          out << "                <NodeSection nodeindex=\"" << k
+              << "\">\n                    <Section "
+                 "type=\"CSectionPolygon\">\n";
+          for (const auto &corner : yarn[k].section)
+            out << "                        <PolygonPoint value=\""
+                << EntryValue<double>::text(corner[0]) << ", "
+                << EntryValue<double>::text(corner[1]) << "\" />\n";
+          out << "                    </Section>\n                "
+                 "</NodeSection>\n";
+        }
+      out << "            </YarnSection>\n";
+      for (const auto &repeat : repeats)
+        out << "            <Repeat value=\"" << three(repeat) << "\" />\n";
+      for (std::size_t k = 0; k < yarn.size(); ++k)
+        out << "            <MasterNode index=\"" << k << "\" Position=\""
+            << three(yarn[k].position) << "\" Tangent=\""
+            << three(yarn[k].tangent) << "\" Up=\"" << three(yarn[k].up)
+            << "\" />\n";
+      out << "        </Yarn>\n";
+    }
+  } // namespace
+
+
+
+  void
+  write_texgen(const WovenTextile &textile, std::ostream &out)
+  {
+    out << "<?xml version=\"1.0\" ?>\n<TexGenModel version=\"3.13.1\">\n"
+        << "    <Textile name=\"" << textile.name
+        << "\" type=\"CTextile\" NeedsBuilding=\"1\" "
+           "GeometryScale=\"mm\">\n";
+    write_domain(textile.box, out);
+    for (std::size_t k = 0; k < textile.yarns.size(); ++k)
+      write_yarn(textile.yarns[k], k, textile.repeats, out);
     out << "    </Textile>\n</TexGenModel>\n";
   }
 } // namespace NPT

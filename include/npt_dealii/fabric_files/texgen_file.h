@@ -19,8 +19,15 @@ namespace NPT
   {
     std::string shape; ///< a name of Registry<SectionShape>
     double      width = 0, height = 0, power = 0;
+    /// Of the mean of polygons along a woven yarn; else 0.
+    double area = 0;
 
-    /// To six digits.
+    bool
+    is_woven() const
+    {
+      return area > 0.;
+    }
+    /// To six digits; to two of woven yarns, whose sections differ a little.
     bool
     operator==(const TexGenSection &other) const;
   };
@@ -85,12 +92,21 @@ namespace NPT
   private:
     double
     unit(const std::string &name) const;
+    // n numbers in mm, separated by commas.
+    std::vector<double>
+    lengths(const std::string &value,
+            const unsigned int n,
+            const std::string &where) const;
     std::array<double, 3>
     vector_of(const std::string &value, const std::string &where) const;
     TexGenSection
     read_yarn_section(const Tree &tree, const std::string &yarn) const;
     TexGenSection
     read_section(const Tree &tree, const std::string &yarn) const;
+    TexGenSection
+    read_polygons(const Tree &tree, const std::string &yarn) const;
+    TexGenSection
+    read_polygon(const Tree &tree, const std::string &yarn) const;
 
     const std::string file_;
     double            scale_ = 1.;
