@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files of the deformed cell for other programs.
 
+#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/mesh_files/abaqus_file.h>
@@ -39,52 +40,86 @@ namespace NPT
                 ". An element is folded; what to try: a larger Export "
                 "subdivision (subsection Output).");
     }
+
+
+
+    void
+    export_meshes(const DeformedCell              &cell,
+                  const std::vector<FabricStrand> &strands,
+                  const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
+                  const ExportParameters   &parameters,
+                  const std::string        &base,
+                  const std::string        &title,
+                  std::vector<std::string> &written)
+    {
+      using Format = ExportParameters::Format;
+      using Nodes  = HexahedralMesh::Nodes;
+      HexahedralMesh mesh =
+        make_cell_mesh(strands, parameters.degree, parameters.subdivision);
+      if (parameters.has(Format::abaqus))
+        {
+          add_materials(cell.cell, strands, laws, mesh);
+          replace_file(base + ".inp", [&](std::ostream &out) {
+            write_abaqus(mesh, title, out);
+          });
+          written.push_back(
+            describe_mesh(mesh, Nodes::serendipity, base + ".inp"));
+        }
+      if (parameters.has(Format::gmsh))
+        {
+          replace_file(base + ".msh",
+                       [&](std::ostream &out) { write_gmsh(mesh, out); });
+          written.push_back(describe_mesh(mesh, Nodes::all, base + ".msh"));
+        }
+    }
+
+
+
+    void
+    export_yarns(const std::vector<FabricStrand> &strands,
+                 const std::string               &base,
+                 std::vector<std::string>        &written)
+    {
+      const WovenTextile textile =
+        make_woven_textile(strands, name_of_file(base));
+      replace_file(base + ".tg3",
+                   [&](std::ostream &out) { write_texgen(textile, out); });
+      written.push_back(name_of_file(base + ".tg3") + ": " +
+                        std::to_string(textile.yarns.size()) +
+                        " yarns with sections at their nodes.");
+    }
   } // namespace
 
 
 
-  std::vector<std::string>
+  ExportReport
   export_cell(const DeformedCell                                     &deformed,
               const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
               const ExportParameters &parameters,
               const std::string      &base,
               const std::string      &title)
   {
-    const auto               strands = FabricStrand::of_repeat(deformed);
-    std::vector<std::string> report;
-    if (parameters.has(ExportParameters::Format::abaqus) ||
-        parameters.has(ExportParameters::Format::gmsh))
-      {
-        HexahedralMesh mesh =
-          make_cell_mesh(strands, parameters.degree, parameters.subdivision);
-        add_materials(deformed.cell, strands, laws, mesh);
-        if (parameters.has(ExportParameters::Format::abaqus))
-          {
-            replace_file(base + ".inp", [&](std::ostream &out) {
-              write_abaqus(mesh, title, out);
-            });
-            report.push_back(describe_mesh(mesh,
-                                           HexahedralMesh::Nodes::serendipity,
-                                           base + ".inp"));
-          }
-        if (parameters.has(ExportParameters::Format::gmsh))
-          {
-            replace_file(base + ".msh",
-                         [&](std::ostream &out) { write_gmsh(mesh, out); });
-            report.push_back(
-              describe_mesh(mesh, HexahedralMesh::Nodes::all, base + ".msh"));
-          }
-      }
-    if (parameters.has(ExportParameters::Format::texgen))
-      {
-        const WovenTextile textile =
-          make_woven_textile(strands, name_of_file(base));
-        replace_file(base + ".tg3",
-                     [&](std::ostream &out) { write_texgen(textile, out); });
-        report.push_back(name_of_file(base + ".tg3") + ": " +
-                         std::to_string(textile.yarns.size()) +
-                         " yarns with sections at their nodes.");
-      }
+    using Format         = ExportParameters::Format;
+    const auto   strands = FabricStrand::of_repeat(deformed);
+    ExportReport report;
+    // What one format cannot hold is no reason to leave out another one.
+    const auto attempt = [&](const auto &write) {
+      try
+        {
+          write();
+        }
+      catch (const InputError &obstacle)
+        {
+          report.refused.push_back(obstacle.what());
+        }
+    };
+    if (parameters.has(Format::abaqus) || parameters.has(Format::gmsh))
+      attempt([&]() {
+        export_meshes(
+          deformed, strands, laws, parameters, base, title, report.written);
+      });
+    if (parameters.has(Format::texgen))
+      attempt([&]() { export_yarns(strands, base, report.written); });
     return report;
   }
 } // namespace NPT

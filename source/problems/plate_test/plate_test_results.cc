@@ -278,26 +278,24 @@ namespace NPT
     TimerOutput::Scope timer(timer_, "Output");
     const std::string  name =
       "cell_" + parameters_.load_programme.file_name(stage.name);
-    DeformedCell deformed{cell.fabric(),
-                          cell.bodies().space(),
-                          positions_of(cell, state),
-                          woven,
-                          gradients_of(cell.macro(), state.u),
-                          stage.bends_along};
+    const DeformedCell deformed{cell.fabric(),
+                                cell.bodies().space(),
+                                positions_of(cell, state),
+                                woven,
+                                gradients_of(cell.macro(), state.u),
+                                stage.bends_along};
     // As a picture, an export is not worth a run.
     try
       {
-        for (const std::string &sentence :
-             export_cell(deformed,
-                         cell.bodies().laws(),
-                         parameters_.output.exports,
-                         directory_ + "/" + name,
-                         "End of stage " + stage.name))
+        const ExportReport report = export_cell(deformed,
+                                                cell.bodies().laws(),
+                                                parameters_.output.exports,
+                                                directory_ + "/" + name,
+                                                "End of stage " + stage.name);
+        for (const std::string &sentence : report.written)
           log_.line("Exported " + sentence);
-      }
-    catch (const InputError &failure)
-      {
-        log_.warning(std::string("No export: ") + failure.what());
+        for (const std::string &sentence : report.refused)
+          log_.warning("No export: " + sentence);
       }
     catch (const OutputError &failure)
       {

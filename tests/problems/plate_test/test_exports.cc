@@ -26,14 +26,21 @@ using dealii::Tensor;
 
 namespace
 {
+  enum class Kind
+  {
+    released,
+    sheared,
+    bent
+  };
+
   // A plain weave of one crossing, whose repeat needs translations and glide
-  // planes: woven, released, and sheared if wanted.
+  // planes: woven and released, then sheared; and one of two, which is bent.
   const PlateRun &
-  woven_cell(const bool sheared)
+  woven_cell(const Kind kind)
   {
     // Never destroyed, because their solver must not outlive MPI.
-    static auto &runs = *new std::map<bool, std::unique_ptr<PlateRun>>;
-    auto        &run  = runs[sheared];
+    static auto &runs = *new std::map<Kind, std::unique_ptr<PlateRun>>;
+    auto        &run  = runs[kind];
     if (!run)
       {
         std::vector<std::string> overrides = {
@@ -41,9 +48,13 @@ namespace
           "Mesh/Elements across=4",
           "Mesh/Elements through=1",
           std::string("Load programme/Stages=weave, release") +
-            (sheared ? ", shear" : "")};
-        if (sheared)
-          overrides.push_back("Load programme/Stage shear/Targets=H3: 0.05");
+            (kind == Kind::released ? "" : ", load")};
+        if (kind == Kind::sheared)
+          overrides.push_back("Load programme/Stage load/Targets=H3: 0.05");
+        if (kind == Kind::bent) // so that images are rigid motions
+          overrides.insert(overrides.end(),
+                           {"Load programme/Stage load/Targets=H4: 0.02",
+                            "Homogenization/Jumps=objective"});
         run = std::make_unique<PlateRun>(overrides);
         run->run();
       }
@@ -65,7 +76,7 @@ namespace
             positions,
             run.woven,
             gradients_of(run.cell.macro(), run.state.u),
-            {}};
+            run.parameters.load_programme.stages.back().bends_along};
   }
 
   // Volume of one repeat by the quadrature of the program.
@@ -105,14 +116,15 @@ namespace
 
 
 
-TEST_CASE("The strands of a repeat go on over their seams and periodically, "
-          "also sheared",
+TEST_CASE("The strands of a repeat go on over their seams, and its ends are "
+          "images of each other, also sheared and bent",
           "[top]")
 {
-  for (const bool sheared : {false, true})
+  for (const Kind kind : {Kind::released, Kind::sheared, Kind::bent})
     {
-      const DeformedCell cell    = deformed(woven_cell(sheared));
+      const DeformedCell cell    = deformed(woven_cell(kind));
       const auto         strands = FabricStrand::of_repeat(cell);
+      CHECK(cell.bends_along.has_value() == (kind == Kind::bent));
       REQUIRE(strands.size() == 4);
       for (const FabricStrand &strand : strands)
         {
@@ -132,20 +144,27 @@ TEST_CASE("The strands of a repeat go on over their seams and periodically, "
       for (const auto &pair : mesh.periodic)
         {
           // Two strands, 9 x 3 nodes in a section.
-          CHECK(pair.nodes.size() == 2 * 9 * 3);
-          const auto difference = [&](const auto &nodes) {
-            return mesh.nodes[nodes[1]] - mesh.nodes[nodes[0]];
+          REQUIRE(pair.nodes.size() == 2 * 9 * 3);
+          // By one rigid motion, which is a shift of plane cells.
+          const auto from_first = [&](const unsigned int k,
+                                      const unsigned int side) {
+            return mesh.nodes[pair.nodes[k][side]] -
+                   mesh.nodes[pair.nodes[0][side]];
           };
-          for (const auto &nodes : pair.nodes)
-            CHECK((difference(nodes) - difference(pair.nodes[0])).norm() <
-                  1e-10);
+          for (unsigned int k = 0; k < pair.nodes.size(); ++k)
+            {
+              CHECK(from_first(k, 0).norm() ==
+                    Approx(from_first(k, 1).norm()).margin(1e-10));
+              if (kind != Kind::bent)
+                CHECK((from_first(k, 0) - from_first(k, 1)).norm() < 1e-10);
+            }
         }
       const Tensor<1, 3> weft = mesh.nodes[mesh.periodic[1].nodes[0][1]] -
                                 mesh.nodes[mesh.periodic[1].nodes[0][0]];
-      const double shear = cell.H[2];
-      CHECK(shear == Approx(sheared ? 0.05 : 0.).margin(1e-12));
       // Half of the engineering shear turns each family.
-      CHECK(weft[0] == Approx(0.5 * shear * 10.).margin(1e-9));
+      if (kind != Kind::bent)
+        CHECK(weft[0] ==
+              Approx(kind == Kind::sheared ? 0.25 : 0.).margin(1e-9));
     }
 }
 
@@ -155,9 +174,9 @@ TEST_CASE("The exported meshes have the volume of the program, positive "
           "Jacobians and unit fibers F A",
           "[top]")
 {
-  for (const bool sheared : {false, true})
+  for (const Kind kind : {Kind::released, Kind::sheared, Kind::bent})
     {
-      const PlateRun    &run         = woven_cell(sheared);
+      const PlateRun    &run         = woven_cell(kind);
       const DeformedCell cell        = deformed(run);
       const auto         strands     = FabricStrand::of_repeat(cell);
       const double       exact       = volume_of_program(run);
@@ -205,7 +224,7 @@ TEST_CASE("The exported meshes have the volume of the program, positive "
 TEST_CASE("A woven cell written for TexGen is read as the cell that it was",
           "[top]")
 {
-  const PlateRun    &run     = woven_cell(false);
+  const PlateRun    &run     = woven_cell(Kind::released);
   const DeformedCell cell    = deformed(run);
   const auto         strands = FabricStrand::of_repeat(cell);
   const WovenTextile textile = make_woven_textile(strands, "woven");
@@ -259,7 +278,7 @@ TEST_CASE("A woven cell written for TexGen is read as the cell that it was",
   CHECK_THAT(weave.notes[0], Catch::Contains("polygons of a woven state"));
 
   CHECK_THROWS_AS(make_woven_textile(FabricStrand::of_repeat(
-                                       deformed(woven_cell(true))),
+                                       deformed(woven_cell(Kind::sheared))),
                                      "sheared"),
                   InputError);
 }
@@ -318,7 +337,7 @@ TEST_CASE(
 
 TEST_CASE("The constants of an exported material are those of its law", "[top]")
 {
-  const PlateRun    &run = woven_cell(false);
+  const PlateRun    &run = woven_cell(Kind::released);
   const auto        &law = *run.cell.bodies().laws()[0];
   const Tensor<1, 3> e1({1., 0., 0.}), e3({0., 0., 1.});
   REQUIRE(run.cell.fabric().bundles()[0].direction == e1);
@@ -383,7 +402,7 @@ TEST_CASE("CalculiX finds the energy of a uniform strain in the exported "
       WARN("ccx is not installed, so its reading is not tested");
       return;
     }
-  const PlateRun    &run     = woven_cell(false);
+  const PlateRun    &run     = woven_cell(Kind::released);
   const DeformedCell cell    = deformed(run);
   const auto         strands = FabricStrand::of_repeat(cell);
   const auto         folder  = export_folder();

@@ -14,19 +14,25 @@
 
 namespace NPT
 {
+  /// What became of an export, one sentence per file.
+  struct ExportReport
+  {
+    /// Name and contents of a file; for meshes volume and smallest Jacobian.
+    std::vector<std::string> written;
+    /// Why a format cannot hold this repeat.
+    std::vector<std::string> refused;
+  };
+
   /**
    * Write one repeat of the deformed fabric as BASE.inp, BASE.msh, BASE.tg3.
    *
    * @param laws By bundle of the cell.
    * @param base Folder and name of the files without ending.
    * @param title What it is, one line.
-   * @return One sentence per file: its name, what is in it, and for meshes
-   *   their volume and smallest Jacobian.
    *
-   * Throws InputError if a format cannot hold the repeat, OutputError if a file
-   * cannot be written.
+   * Throws OutputError if a file cannot be written.
    */
-  std::vector<std::string>
+  ExportReport
   export_cell(const DeformedCell                                     &deformed,
               const std::vector<std::unique_ptr<HyperelasticLaw<3>>> &laws,
               const ExportParameters &parameters,
