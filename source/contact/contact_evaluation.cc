@@ -12,6 +12,7 @@
 namespace NPT
 {
   using dealii::Point;
+  using dealii::Tensor;
   using dealii::Vector;
 
   namespace
@@ -50,12 +51,16 @@ namespace NPT
     step.traction_multiplier = state.traction;
     step.penalty_scale       = state.penalty_scale;
     step.gap_shift           = state.gap_shift;
+    step.slip_path           = state.slip_path;
     step.serial              = new_serial();
 
     ContactPositions<dim> positions;
     geometry_.update_positions(accepted, positions);
     const ContactSearch<dim> search(geometry_.primaries, positions.primaries);
     const unsigned int       n_points = geometry_.points.size();
+    const bool               by_angle =
+      step.friction_on && friction_coefficient_.depends_on_angle();
+    std::vector<double> cosines(by_angle ? n_points : 0);
     step.starts.resize(n_points);
     step.behind.resize(n_points);
     step.reach.of_point.resize(n_points);
@@ -67,12 +72,86 @@ namespace NPT
         step.behind[q]         = state.behind.empty() ? geometry_.is_deep(c) :
                                                         state.behind[q] && c.gap < 0.;
         step.reach.of_point[q] = reach_of_point(c, step.behind[q]);
+        if (by_angle)
+          cosines[q] = cosine_of_fibers(positions, c, q);
       }
     set_reach_of_nodes(step.reach);
+    if (step.friction_on && friction_coefficient_.varies())
+      set_friction_factors(cosines, step);
 
     if (const SlipMeasure<dim> *slip_measure = measure(step.friction_on))
       slip_measure->set_references(geometry_, state, positions, step);
     return step;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactPair<dim>::cosine_of_fibers(const ContactPositions<dim> &positions,
+                                     const ClosestPoint<dim>     &closest,
+                                     const unsigned int           q) const
+  {
+    const Tensor<1, dim> secondary =
+      geometry_.secondary.fiber_direction(geometry_.points[q].shape,
+                                          positions.secondary);
+    const Tensor<1, dim> primary =
+      geometry_.primaries[closest.surface].fiber_direction(
+        closest.shape, positions.primaries[closest.surface]);
+    return std::abs(secondary * primary);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::set_friction_factors(const std::vector<double> &cosines,
+                                         ContactStep<dim>          &step) const
+  {
+    const auto &nodes = geometry_.friction_averaging.nodes();
+    step.friction_factor.assign(nodes.size(), 1.);
+    if (friction_coefficient_.depends_on_angle())
+      for (unsigned int J = 0; J < nodes.size(); ++J)
+        if (step.reach.of_friction_node[J] > 0.)
+          {
+            // The share of the first point is what the others leave, so that
+            // equal factors keep their bits.
+            const double first = friction_coefficient_.static_factor(
+              cosines[nodes[J].entries[0].point]);
+            step.friction_factor[J] = first;
+            for (const auto &entry : nodes[J].entries)
+              step.friction_factor[J] +=
+                step.reach.friction_weight(J, entry) *
+                (friction_coefficient_.static_factor(cosines[entry.point]) -
+                 first);
+          }
+    if (!friction_coefficient_.depends_on_slip())
+      return;
+    step.slip_path.resize(nodes.size(), 0.);
+    for (unsigned int J = 0; J < nodes.size(); ++J)
+      step.friction_factor[J] *= friction_coefficient_.decay(step.slip_path[J]);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactPair<dim>::slip_path_after(
+    const ContactStep<dim>       &step,
+    const ContactEvaluation<dim> &evaluation) const
+  {
+    std::vector<double> path = step.slip_path;
+    for (unsigned int J = 0; J < path.size(); ++J)
+      {
+        const FrictionState<dim> &state = evaluation.friction[J];
+        // Surfaces that have parted stick again as before.
+        path[J] = !state.active() ?
+                    0. :
+                    path[J] + friction_coefficient_.slip_of_step(
+                                state.response.dissipation,
+                                step.friction_factor[J] * state.pressure);
+      }
+    return path;
   }
 
 
@@ -327,11 +406,15 @@ namespace NPT
     const ContactStep<dim>           &step = view.step;
     typename SlipMeasure<dim>::Metric metric;
     slip_measure_->evaluate_node(view, J, state.slip, metric);
+    const double factor =
+      step.friction_factor.empty() ? 1. : step.friction_factor[J];
     state.response = (*friction_law_)(step.traction_multiplier[J],
                                       state.slip,
                                       metric,
-                                      state.pressure,
+                                      factor * state.pressure,
                                       step.penalty_scale);
+    for (double &derivative : state.response.by_pressure)
+      derivative *= factor;
   }
 
 

@@ -66,6 +66,7 @@ namespace NPT
     , friction_law_(Registry<NamedFrictionLaw<m>>::instance()
                       .get(friction.law)
                       .make(friction))
+    , friction_coefficient_(friction)
     , slip_measure_(Registry<NamedSlipMeasure<dim>>::instance()
                       .get(friction.slip_measure)
                       .make())
@@ -156,7 +157,10 @@ namespace NPT
     ContactState<dim> result = state;
     result.friction_on       = on && friction_law_->exerts_traction();
     if (!result.friction_on || !state.friction_on)
-      result.traction.assign(n_friction_nodes(), std::array<double, m>{});
+      {
+        result.traction.assign(n_friction_nodes(), std::array<double, m>{});
+        result.slip_path.clear();
+      }
     return result;
   }
 
@@ -204,6 +208,7 @@ namespace NPT
     state.behind        = step.behind;
     state.penalty_scale = step.penalty_scale;
     state.gap_shift     = step.gap_shift;
+    state.slip_path     = slip_path_after(step, evaluation);
     return state;
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Defines the contact and friction entries of the parameter file.
 
+#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/contact/contact_parameters.h>
 #include <npt_dealii/contact/friction_law.h>
@@ -226,11 +227,59 @@ namespace NPT
       "the slip of each, with the pressure that the mortar method finds there, "
       "(A27) of doc/theory.md. The same for Method KTS, whose contact nodes "
       "are Gauss points.");
+    add_yarn_parameters(prm);
     add_parameter(prm,
                   "Slip measure",
                   slip_measure,
                   descriptions<NamedSlipMeasure<3>>(),
                   Patterns::Selection(
                     Registry<NamedSlipMeasure<3>>::instance().selection()));
+  }
+
+
+
+  void
+  FrictionParameters::add_yarn_parameters(dealii::ParameterHandler &prm)
+  {
+    add_parameter(
+      prm,
+      "Coefficient by angle",
+      by_angle,
+      "Static friction coefficient mu_s by the angle between the fibers of the "
+      "two surfaces where they touch, in the deformed state, (A38) of "
+      "doc/theory.md: a list of 'angle: coefficient', as 0: 0.35, 45: 0.27, "
+      "90: 0.22, angles rising from 0 to 90 [degree], coefficients >= 0 [-]; "
+      "linear between, constant beyond. It takes the place of Friction "
+      "coefficient, which must be > 0. none: the same at every angle.");
+    add_parameter(
+      prm,
+      "Dynamic friction ratio",
+      dynamic_ratio,
+      "Dynamic over static friction coefficient, mu_d / mu_s of (A38) [-]: "
+      "where a contact point has slid by several slip lengths since it last "
+      "opened, friction has fallen to this part. 1: no decay.",
+      Patterns::Double(0., 1.));
+    add_parameter(prm,
+                  "Slip length",
+                  slip_length,
+                  "Slip over which the difference between static and dynamic "
+                  "friction falls to 1/e of it, (A38) [mm]. Without effect if "
+                  "Dynamic friction ratio is 1.",
+                  positive_number());
+  }
+
+
+
+  void
+  FrictionParameters::check() const
+  {
+    if (coefficient > 0. || (by_angle.values.empty() && dynamic_ratio == 1.))
+      return;
+    throw InputError(
+      "Friction coefficient is 0, which turns friction off, but " +
+      std::string(by_angle.values.empty() ? "Dynamic friction ratio" :
+                                            "Coefficient by angle") +
+      " is given; use a Friction coefficient > 0 or leave the other entry out "
+      "(subsection Friction).");
   }
 } // namespace NPT

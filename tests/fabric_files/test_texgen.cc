@@ -259,7 +259,27 @@ TEST_CASE("Every kind of file that is no such weave is refused by its sentence",
                {},
                "<Yarn index=\"0\"><YarnSection "
                "type=\"CYarnSectionInterpNode\"></YarnSection></Yarn>")),
-       "CYarnSectionInterpNode");
+       "CYarnSectionInterpNode with 0 sections");
+  const auto with_node = [&](const std::string &section) {
+    return complaint(
+      weave(plain,
+            "",
+            {},
+            "<Yarn index=\"0\"><YarnSection type=\"CYarnSectionInterpNode\">"
+            "<NodeSection nodeindex=\"0\"><Section type=\"" +
+              section + "</Section></NodeSection></YarnSection></Yarn>"));
+  };
+  says(with_node("CSectionEllipse\" Width=\"1.6\" Height=\"0.4\">"),
+       "one of them is a CSectionEllipse");
+  says(with_node("CSectionPolygon\"><PolygonPoint value=\"0, 0\" />"
+                 "<PolygonPoint value=\"1, 0\" />"),
+       "has 2 corners");
+  says(with_node("CSectionPolygon\"><PolygonPoint value=\"0, 0\" />"
+                 "<PolygonPoint value=\"1, 0\" />"
+                 "<PolygonPoint value=\"2, 0\" />"),
+       "has no area");
+  says(with_node("CSectionPolygon\"><PolygonPoint value=\"0\" />"),
+       "not two numbers");
   says(complaint(write("skew.tg3", by_nodes("0, 0.1, 0"))), "neither along x");
   CHECK(
     with_section("CSectionLenticular\" Width=\"1.6\" Height=\"0.4\"").empty());

@@ -6,6 +6,7 @@
 #define npt_dealii_contact_contact_pair_h
 
 #include <npt_dealii/base/ranks.h>
+#include <npt_dealii/contact/friction_coefficient.h>
 #include <npt_dealii/contact/geometry/contact_search.h>
 #include <npt_dealii/contact/normal_law.h>
 #include <npt_dealii/contact/slip_measure.h>
@@ -298,6 +299,18 @@ namespace NPT
     reach_of_point(const ClosestPoint<dim> &c, const bool behind) const;
     void
     set_reach_of_nodes(ContactReach &reach) const;
+    // (A38) of the accepted state. @param cosines Of the angle between the
+    // fibers, by Gauss point, if the coefficient depends on it.
+    void
+    set_friction_factors(const std::vector<double> &cosines,
+                         ContactStep<dim>          &step) const;
+    double
+    cosine_of_fibers(const ContactPositions<dim> &positions,
+                     const ClosestPoint<dim>     &closest,
+                     const unsigned int           q) const;
+    std::vector<double>
+    slip_path_after(const ContactStep<dim>       &step,
+                    const ContactEvaluation<dim> &evaluation) const;
     void
     find_closest(const ContactView<dim> &view,
                  const unsigned int      q,
@@ -398,6 +411,7 @@ namespace NPT
     const bool                                    augmented_;
     const std::unique_ptr<const NormalLaw>        normal_law_;
     const std::unique_ptr<const FrictionLaw<m>>   friction_law_;
+    const FrictionCoefficient                     friction_coefficient_;
     const std::unique_ptr<const SlipMeasure<dim>> slip_measure_;
     std::vector<unsigned int>                     symmetry_weight_; // by node
     std::vector<unsigned int> friction_symmetry_weight_; // by friction node

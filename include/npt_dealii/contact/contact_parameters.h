@@ -9,7 +9,10 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace NPT
 {
@@ -77,6 +80,26 @@ namespace NPT
   const EnumNames<ContactParameters::Enforcement> &
   enum_names<ContactParameters::Enforcement>();
 
+  /// Friction coefficient by the angle between fibers; empty: not given.
+  struct FrictionTable
+  {
+    /// Angle [degrees], rising within 0 to 90, and mu >= 0 [-].
+    using Values = std::vector<std::pair<double, double>>;
+    Values values;
+  };
+
+  /// "none" or "0: 0.35, 45: 0.27, 90: 0.22". Throws InputError for another.
+  template <>
+  struct EntryValue<FrictionTable>
+  {
+    static std::string
+    text(const FrictionTable &table);
+    static FrictionTable
+    value(const std::string &text);
+    static std::unique_ptr<dealii::Patterns::PatternBase>
+    pattern();
+  };
+
   /// Subsection "Friction".
   struct FrictionParameters
   {
@@ -86,6 +109,10 @@ namespace NPT
     OwnValues law_numbers;
     double    coefficient        = 0.3;  ///< mu [-]
     double    tangential_penalty = 100.; ///< epsilon_T [N/mm^3]
+    /// Of yarns, (A38); see FrictionCoefficient.
+    FrictionTable by_angle;            ///< mu_s(theta)
+    double        dynamic_ratio = 1.;  ///< mu_d / mu_s [-]
+    double        slip_length   = 0.1; ///< of the decay from mu_s [mm]
     /// Where Coulomb's law is posed; only Method::mortar has a choice.
     enum class Nodes
     {
@@ -96,9 +123,17 @@ namespace NPT
     /// A name of Registry<NamedSlipMeasure<3>>.
     std::string slip_measure = "relative displacement";
 
+    /// Throws InputError if the coefficient varies and is zero at once.
+    void
+    check() const;
+
     /// Bind the members to the entries of the subsection.
     void
     add_parameters(dealii::ParameterHandler &prm);
+
+  private:
+    void
+    add_yarn_parameters(dealii::ParameterHandler &prm);
   };
 
   template <>

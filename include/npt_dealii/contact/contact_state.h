@@ -27,6 +27,9 @@ namespace NPT
     /// What is added to the gap of every contact node [mm], because the
     /// pressure of what it was has relaxed; empty: nothing.
     std::vector<double> gap_shift;
+    /// Length of the slip of every friction node since it last opened [mm], if
+    /// the friction coefficient depends on it; else empty.
+    std::vector<double> slip_path;
     /// Factor by which the augmented Lagrangian has let both penalties grow.
     double penalty_scale = 1.;
     /// Closest point of every Gauss point; not known behind the body.

@@ -6,6 +6,10 @@
 
 #include <npt_dealii/fabric/cell_parameters.h>
 
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -29,8 +33,10 @@ namespace NPT
    * and Full), their sections are the ones that count, and sizes of the weave
    * that disagree are named in a note. A `CTextile` is a weave if its yarns run
    * along x and y: the table follows from the heights of the yarns at the
-   * crossings. X yarns are our warp. `GeometryScale` (m, cm, mm, um, in, ...)
-   * is converted to mm.
+   * crossings. X yarns are our warp. Polygons at the nodes of yarns are those
+   * of a woven state: the straight bundles get their mean width, height and
+   * area, as a lens, and a note says so. `GeometryScale` (m, cm, mm, um, in,
+   * ...) is converted to mm.
    *
    * Sections: ellipse, power ellipse, lenticular without distortion, rectangle
    * (as a rounded rectangle). Bundles here have blunt edges, which TexGen's do
@@ -67,6 +73,35 @@ namespace NPT
   write_texgen(const CellParameters &cell,
                const std::string    &name,
                std::ostream         &out);
+
+  /// A textile in space; lengths in mm.
+  struct WovenTextile
+  {
+    /// The section of a yarn at one place along it.
+    struct Station
+    {
+      dealii::Point<3>     position;
+      dealii::Tensor<1, 3> tangent; ///< unit vector, normal to the section
+      dealii::Tensor<1, 3> up;      ///< unit vector in the section
+      /// Corners, counterclockwise, as components along tangent x up and up.
+      std::vector<std::array<double, 2>> section;
+    };
+
+    std::string                         name;
+    std::array<dealii::Tensor<1, 3>, 2> repeats;
+    /// By yarn, from one end of the repeat to the other.
+    std::vector<std::vector<Station>> yarns;
+    std::array<dealii::Point<3>, 2>   box; ///< corners of one repeat
+  };
+
+  /**
+   * Write a textile as a `CTextile` of TexGen: yarns by nodes with periodic
+   * cubic interpolation, and a polygon at every node (CYarnSectionInterpNode of
+   * CSectionPolygon), linear between them. Format: PopulateTiXmlElement() of
+   * these classes in the sources of TexGen.
+   */
+  void
+  write_texgen(const WovenTextile &textile, std::ostream &out);
 } // namespace NPT
 
 #endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The faces of bundles on grids of points, and the script that draws them.
 
-#include <npt_dealii/homogenization/cell_modes.h>
-#include <npt_dealii/homogenization/cylinder_motion.h>
+#include <npt_dealii/homogenization/fabric_image.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/plate_results/cell_picture.h>
@@ -17,7 +16,6 @@
 namespace NPT
 {
   using dealii::Point;
-  using dealii::Tensor;
 
   namespace
   {
@@ -169,19 +167,11 @@ namespace NPT
           const SymmetryOperation &g,
           const PictureState      &state)
     {
-      const auto &H = state.H;
-      if (state.bends_along)
-        {
-          const Tensor<1, 3> x = image_on_cylinder(
-            *state.bends_along, H, g, Point<3>(point[0], point[1], point[2]));
-          return {{x[0], x[1], x[2], point.back()}};
-        }
-      const Point<3> Z(point[3], point[4], point[5]);
-      Tensor<1, 3>   jump;
-      for (unsigned int n = 0; n < H.size(); ++n)
-        if (H[n] != 0.)
-          jump += H[n] * macroscopic_jump(n, g, Z);
-      const Point<3> x = g(Point<3>(point[0], point[1], point[2])) + jump;
+      const Point<3> x = image_in_fabric(g,
+                                         Point<3>(point[0], point[1], point[2]),
+                                         Point<3>(point[3], point[4], point[5]),
+                                         state.H,
+                                         state.bends_along);
       return {{x[0], x[1], x[2], point.back()}};
     }
   } // namespace

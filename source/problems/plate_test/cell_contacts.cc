@@ -72,9 +72,10 @@ namespace NPT
 
 
     ContactSurface<3>
-    make_primary(const PeriodicImage &image,
-                 const IGASurface<3> &surface,
-                 const double         edge_radius)
+    make_primary(const PeriodicImage        &image,
+                 const IGASurface<3>        &surface,
+                 const dealii::Tensor<1, 3> &fiber,
+                 const double                edge_radius)
     {
       std::vector<unsigned int> first_dof;
       for (unsigned int l = 0; l < surface.n_control_points(); ++l)
@@ -83,6 +84,10 @@ namespace NPT
       const bool        mirrored = Q[0] * Q[1] * Q[2] < 0;
       ContactSurface<3> result(surface, image.reference, first_dof, mirrored);
       result.set_edge_radius(edge_radius);
+      dealii::Tensor<1, 3> fiber_of_image;
+      for (unsigned int c = 0; c < 3; ++c)
+        fiber_of_image[c] = Q[c] * fiber[c];
+      result.set_fiber(fiber_of_image);
       return result;
     }
 
@@ -126,6 +131,7 @@ namespace NPT
   {
     CellContacts   result;
     BundleSurfaces surfaces(space, contact.kink_rounding);
+    const auto    &bundles = cell.bundles();
     for (const ContactCandidates &pair : cell.contacts())
       {
         std::vector<ContactSurface<3>> primaries;
@@ -138,6 +144,7 @@ namespace NPT
             macro.n_image_unknowns += 3 * surface.n_control_points();
             primaries.push_back(make_primary(result.images.back(),
                                              surface,
+                                             bundles[image.bundle].direction,
                                              contact.edge_radius * thickness));
           }
         join_strands(pair.primaries, primaries);
@@ -153,9 +160,11 @@ namespace NPT
              n_spans_across_partner(cell, space, pair.secondary_bundle) <
                fewest_spans_for_mortar))
           contact_parameters.method = ContactParameters::Method::KTS;
+        ContactSurface<3> secondary(surfaces.get(
+          pair.secondary_bundle, pair.direction, pair.secondary_side, false));
+        secondary.set_fiber(bundles[pair.secondary_bundle].direction);
         result.pairs.push_back(std::make_unique<ContactPair<3>>(
-          ContactSurface<3>(surfaces.get(
-            pair.secondary_bundle, pair.direction, pair.secondary_side, false)),
+          secondary,
           primaries,
           contact_parameters,
           friction,

@@ -55,6 +55,7 @@ namespace NPT
                   "Draw with gnuplot: at the end of every stage the deformed "
                   "cell, colored by von Mises stress (cell_STAGE.svg), "
                   "and at the end of the run the curves (curves.svg).");
+    exports.add_parameters(prm);
   }
 
 
@@ -334,8 +335,25 @@ namespace NPT
 
 
   void
+  PlateTestParameters::check_exports() const
+  {
+    std::vector<std::string> stages;
+    for (const LoadStage &stage : load_programme.stages)
+      stages.push_back(stage.name);
+    output.exports.check(stages);
+    if (output.exports.has(ExportParameters::Format::texgen) &&
+        cell.type == "laminate")
+      throw InputError("Export names texgen, but a laminate has no yarns; "
+                       "abaqus and gmsh take it (subsection Output).");
+  }
+
+
+
+  void
   PlateTestParameters::complete()
   {
+    check_exports();
+    friction.check();
     if (accuracy.is_on())
       accuracy.target(); // or refused
     cell.check();

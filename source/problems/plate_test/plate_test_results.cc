@@ -7,6 +7,7 @@
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/vtu_file.h>
+#include <npt_dealii/problems/plate_exports/export_cell.h>
 #include <npt_dealii/problems/plate_results/cell_picture.h>
 #include <npt_dealii/problems/plate_results/curve_column.h>
 #include <npt_dealii/problems/plate_results/hysteresis.h>
@@ -25,6 +26,25 @@ namespace NPT
 {
   using dealii::Tensor;
   using dealii::TimerOutput;
+
+  namespace
+  {
+    // Of the control points [mm].
+    std::vector<dealii::Point<3>>
+    positions_of(const PlateCell &cell, const State &state)
+    {
+      const IGASpace<3>            &space = cell.bodies().space();
+      std::vector<dealii::Point<3>> positions;
+      for (unsigned int A = 0; A < space.n_control_points(); ++A)
+        positions.push_back(
+          space.control_points()[A] +
+          Tensor<1, 3>(
+            {state.u[3 * A], state.u[3 * A + 1], state.u[3 * A + 2]}));
+      return positions;
+    }
+  } // namespace
+
+
 
   PlateTestResults::PlateTestResults(const PlateTestParameters &parameters,
                                      const std::string         &directory,
@@ -239,6 +259,49 @@ namespace NPT
     if (parameters_.output.picture)
       write_picture(cell, stage, state, woven);
     memory_.stages_done += 1;
+    const auto &stages = parameters_.load_programme.stages;
+    if (parameters_.output.exports.is_due(stage.name,
+                                          memory_.stages_done == stages.size()))
+      export_stage(cell, stage, state, woven);
+  }
+
+
+
+  void
+  PlateTestResults::export_stage(const PlateCell                     &cell,
+                                 const LoadStage                     &stage,
+                                 const State                         &state,
+                                 const std::vector<dealii::Point<3>> &woven)
+  {
+    if (directory_.empty())
+      return;
+    TimerOutput::Scope timer(timer_, "Output");
+    const std::string  name =
+      "cell_" + parameters_.load_programme.file_name(stage.name);
+    const DeformedCell deformed{cell.fabric(),
+                                cell.bodies().space(),
+                                positions_of(cell, state),
+                                woven,
+                                gradients_of(cell.macro(), state.u),
+                                stage.bends_along};
+    // As a picture, an export is not worth a run.
+    try
+      {
+        const ExportReport report = export_cell(deformed,
+                                                cell.bodies().laws(),
+                                                parameters_.output.exports,
+                                                directory_ + "/" + name,
+                                                "End of stage " + stage.name);
+        for (const std::string &sentence : report.written)
+          log_.line("Exported " + sentence);
+        for (const std::string &sentence : report.refused)
+          log_.warning("No export: " + sentence);
+      }
+    catch (const OutputError &failure)
+      {
+        log_.warning(std::string("No export: ") + failure.what());
+        not_drawn_ = failure;
+      }
   }
 
 
@@ -326,10 +389,7 @@ namespace NPT
     TimerOutput::Scope timer(timer_, "Output");
     const IGASpace<3> &space = cell.bodies().space();
     PictureState       picture;
-    for (unsigned int A = 0; A < space.n_control_points(); ++A)
-      picture.positions.push_back(
-        space.control_points()[A] +
-        Tensor<1, 3>({state.u[3 * A], state.u[3 * A + 1], state.u[3 * A + 2]}));
+    picture.positions = positions_of(cell, state);
     for (const PointState &point :
          states_at_control_points(space,
                                   cell.bodies().laws(),

@@ -220,6 +220,7 @@ namespace NPT
 
     const ContactCase &contact_case = *ContactCases::instance().get(name);
     contact_case.check(parameters);
+    parameters.friction.check();
     if (parameters.friction.coefficient == 0. && contact_case.needs_friction())
       throw InputError("Friction coefficient is 0; this case is about friction "
                        "and needs a positive one (subsections Benchmark and "

@@ -314,6 +314,32 @@ TEST_CASE("A run stopped after every step ends as if it had not been",
 
 
 
+TEST_CASE("So does one whose friction depends on angle and slip",
+          "[plate_test]")
+{
+  const auto overrides = small_cell("mortar", "augmented Lagrangian");
+  const std::vector<std::string> of_yarns = {
+    "Friction/Coefficient by angle=80: 0.4, 90: 0.25",
+    "Friction/Dynamic friction ratio=0.5",
+    "Friction/Slip length=0.01"};
+  const auto parameters = read(overrides, of_yarns);
+  check_stopped_run(parameters);
+
+  // It is another curve than that of the constant coefficient, so something
+  // was remembered.
+  const fs::path constant = empty_folder("constant"),
+                 yarns    = empty_folder("yarns");
+  REQUIRE(run_in(constant, read(overrides), false));
+  REQUIRE(run_in(yarns, parameters, false));
+  const auto last = [](const fs::path &folder) {
+    return read_curves((folder / "curves.csv").string()).back().n[2];
+  };
+  CHECK(std::abs(last(constant) - last(yarns)) >
+        1e-3 * std::abs(last(constant)));
+}
+
+
+
 TEST_CASE(
   "So does one that is stopped while stress relaxes, or in bending with "
   "objective jumps",

@@ -5,11 +5,15 @@
 #ifndef npt_dealii_contact_geometry_contact_surface_h
 #define npt_dealii_contact_geometry_contact_surface_h
 
+#include <npt_dealii/contact/geometry/surface_metric.h>
 #include <npt_dealii/iga/iga_surface.h>
 
 #include <deal.II/lac/vector.h>
 
+#include <array>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace NPT
 {
@@ -124,6 +128,48 @@ namespace NPT
       return edge_radius_;
     }
 
+    /// Fibers of the body in the reference configuration: a unit vector that
+    /// is tangent to the surface. Without it they run along the surface's
+    /// parameter along().
+    void
+    set_fiber(const dealii::Tensor<1, dim> &fiber)
+    {
+      fiber_ = fiber;
+    }
+    /**
+     * Unit vector along the fibers at a point, F A / |F A|, from the tangents
+     * of the surface.
+     *
+     * @param shape Of the point, with first derivatives.
+     * @param positions Current control points.
+     */
+    dealii::Tensor<1, dim>
+    fiber_direction(const SurfaceShape<m>                 &shape,
+                    const std::vector<dealii::Point<dim>> &positions) const
+    {
+      std::array<dealii::Tensor<1, dim>, m> reference, current;
+      for (int a = 0; a < m; ++a)
+        for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+          {
+            reference[a] += shape.first[a][l] * reference_[shape.lattice[l]];
+            current[a] += shape.first[a][l] * positions[shape.lattice[l]];
+          }
+      dealii::Tensor<1, dim> result = current[along_];
+      if (fiber_)
+        {
+          SurfaceMatrix<m> metric{};
+          for (int a = 0; a < m; ++a)
+            for (int b = 0; b < m; ++b)
+              metric[a][b] = reference[a] * reference[b];
+          const SurfaceMatrix<m> inverse = invert_symmetric<m>(metric);
+          result                         = 0;
+          for (int a = 0; a < m; ++a)
+            for (int b = 0; b < m; ++b)
+              result += inverse[a][b] * (reference[b] * *fiber_) * current[a];
+        }
+      return result / result.norm();
+    }
+
     const IGASurface<dim> &
     surface() const
     {
@@ -187,6 +233,7 @@ namespace NPT
     const IGASurface<dim>                                *surface_;
     double                                                orientation_;
     double                                                edge_radius_ = 0.;
+    std::optional<dealii::Tensor<1, dim>>                 fiber_;
     std::vector<dealii::Point<dim>>                       reference_;
     std::vector<unsigned int>                             first_dof_;
     std::array<std::vector<std::pair<double, double>>, m> smooth_pieces_;

@@ -14,6 +14,7 @@
 #include <npt_dealii/load_step/newton.h>
 #include <npt_dealii/material/make_material.h>
 #include <npt_dealii/problems/load_programme/load_programme.h>
+#include <npt_dealii/problems/plate_exports/export_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -36,6 +37,8 @@ namespace NPT
     std::string directory = "output";
     Fields      fields    = Fields::stages;
     bool        picture   = true;
+    /// To other programs.
+    ExportParameters exports;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -173,6 +176,8 @@ namespace NPT
     /// Cross-checks, and what the file leaves to the program.
     void
     complete();
+    void
+    check_exports() const;
   };
 } // namespace NPT
 

@@ -87,7 +87,7 @@ namespace NPT
              const AcceptedStep                  &step,
              const std::vector<dealii::Point<3>> &woven);
     /// Script and points of the picture of the deformed cell; draw_pictures()
-    /// draws them all. What goes wrong is a warning in the log.
+    /// draws them all. Exports. What goes wrong is a warning in the log.
     void
     end_stage(const PlateCell                     &cell,
               const LoadStage                     &stage,
@@ -112,8 +112,8 @@ namespace NPT
            const LinearSolver &linear_solver,
            ConstrainedSystem  &system);
 
-    /// Throws OutputError if the cell could not be drawn; on the way that is a
-    /// warning.
+    /// Throws OutputError if the cell could not be drawn or exported; on the
+    /// way that is a warning.
     void
     check_pictures() const;
 
@@ -131,6 +131,12 @@ namespace NPT
                   const LoadStage                     &stage,
                   const State                         &state,
                   const std::vector<dealii::Point<3>> &woven);
+    /// For other programs, if they are due.
+    void
+    export_stage(const PlateCell                     &cell,
+                 const LoadStage                     &stage,
+                 const State                         &state,
+                 const std::vector<dealii::Point<3>> &woven);
     /// All pictures by one gnuplot; to start it takes half as long as a simple
     /// picture.
     void
@@ -153,7 +159,7 @@ namespace NPT
     std::unique_ptr<CurveWriter> curve_writer_;
     // Of the last accepted step, if its fields may still be wanted.
     std::vector<ContactEvaluation<3>> last_contact_;
-    // Why a picture was not written; told when all else is done.
+    // Why a picture or an export was not written; told when all else is done.
     std::optional<OutputError> not_drawn_;
   };
 } // namespace NPT

@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Weaves in the XML files of TexGen.
+// Weaves from the XML files of TexGen.
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/fabric_files/texgen.h>
-
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
+#include <npt_dealii/fabric_files/texgen_file.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <optional>
-#include <ostream>
-#include <sstream>
 
 namespace NPT
 {
   namespace
   {
-    using Tree = boost::property_tree::ptree;
+    using Section = TexGenSection;
+    using Yarn    = TexGenYarn;
+
 
     // Thin enough for the areas of TexGen, whose edges are sharp; sections that
     // are steep at their edges need more.
@@ -30,88 +25,22 @@ namespace NPT
     // Between face and edge [degrees]; at 75 the cells count as degenerate.
     const double steepest_edge = 72.;
 
-    struct Section
-    {
-      std::string shape;
-      double      width = 0, height = 0, power = 0;
-
-      bool
-      operator==(const Section &other) const
-      {
-        const auto near = [](const double a, const double b) {
-          return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b));
-        };
-        return shape == other.shape && near(width, other.width) &&
-               near(height, other.height) && near(power, other.power);
-      }
-    };
-
-    // Yarn as the file has it, in its order.
-    struct Yarn
-    {
-      std::string                        name; // "yarn 3" in messages
-      std::optional<Section>             section;
-      std::vector<std::array<double, 3>> nodes;
-      std::vector<std::array<double, 3>> repeats;
-    };
-
-
-
-    class TexGenReader
+    class TexGenReader : private TexGenFile
     {
     public:
       explicit TexGenReader(const std::string &filename)
-        : file_(filename)
+        : TexGenFile(filename)
       {}
 
       ImportedWeave
       read()
       {
-        Tree tree;
-        if (!std::filesystem::is_regular_file(file_))
-          refuse("there is no such file");
-        try
-          {
-            boost::property_tree::read_xml(file_, tree);
-          }
-        catch (const boost::property_tree::xml_parser_error &error)
-          {
-            refuse("it is no XML file: " + error.message() + " in line " +
-                   std::to_string(error.line()));
-          }
-        const auto model = tree.get_child_optional("TexGenModel");
-        if (!model)
-          refuse("it has no element TexGenModel");
-        const Tree *textile = nullptr;
-        for (const auto &[name, child] : *model)
-          if (name == "Textile")
-            {
-              if (textile != nullptr)
-                refuse("it has several textiles; export one of them");
-              textile = &child;
-            }
-        if (textile == nullptr)
-          refuse("it has no textile");
-        return read_textile(*textile);
-      }
-
-    private:
-      [[noreturn]] void
-      refuse(const std::string &what) const
-      {
-        throw InputError("The TexGen file " + file_ +
-                         " cannot be used: " + what + ".");
-      }
-
-      ImportedWeave
-      read_textile(const Tree &textile)
-      {
-        weave_.name            = text(textile, "name", "");
-        const std::string type = text(textile, "type", "");
-        scale_                 = unit(text(textile, "GeometryScale", "mm"));
-        read_yarns(textile);
+        const Tree &tree       = textile();
+        weave_.name            = text(tree, "name", "");
+        const std::string type = text(tree, "type", "");
+        yarns_                 = read_yarns(tree);
         if (type == "CTextileWeave2D")
-          read_weave(textile);
+          read_weave(tree);
         else if (type == "CTextile")
           find_weave();
         else
@@ -122,177 +51,11 @@ namespace NPT
             "(CTextileWeave2D, CTextile) are read");
         set_sections();
         set_blunt_tip();
-        note_materials(textile);
+        note_materials(tree);
         return weave_;
       }
 
-      // -------------------------------------------------------------- values
-
-      static std::string
-      text(const Tree        &tree,
-           const std::string &attribute,
-           const std::string &otherwise)
-      {
-        return tree.get<std::string>("<xmlattr>." + attribute, otherwise);
-      }
-
-      double
-      to_number(const std::string &value, const std::string &where) const
-      {
-        char        *end    = nullptr;
-        const double result = std::strtod(value.c_str(), &end);
-        if (value.empty() || *end != '\0' || !std::isfinite(result))
-          refuse(where + " is '" + value + "', which is no number");
-        return result;
-      }
-
-      double
-      length(const Tree        &tree,
-             const std::string &attribute,
-             const std::string &where) const
-      {
-        const double value =
-          to_number(text(tree, attribute, ""), attribute + " of " + where);
-        if (!(value > 0.))
-          refuse(attribute + " of " + where + " is " + short_number(value) +
-                 " and must be positive");
-        return scale_ * value;
-      }
-
-      unsigned int
-      count(const Tree &tree, const std::string &attribute) const
-      {
-        const double value =
-          to_number(text(tree, attribute, ""), attribute + " of the textile");
-        if (!(value >= 1. && value <= 1000.) || value != std::floor(value))
-          refuse(attribute + " of the textile is " + short_number(value) +
-                 "; it must be a whole number from 1 to 1000");
-        return static_cast<unsigned int>(value);
-      }
-
-      unsigned int
-      index_below(const Tree        &tree,
-                  const std::string &attribute,
-                  const unsigned int end,
-                  const std::string &where) const
-      {
-        const double value =
-          to_number(text(tree, attribute, ""), attribute + " of a " + where);
-        if (!(value >= 0. && value < end) || value != std::floor(value))
-          refuse(attribute + " of a " + where + " is " + short_number(value) +
-                 ", outside 0 to " + std::to_string(end - 1));
-        return static_cast<unsigned int>(value);
-      }
-
-      double
-      unit(const std::string &name) const
-      {
-        static const std::map<std::string, double> units = {{"mm", 1.},
-                                                            {"m", 1000.},
-                                                            {"cm", 10.},
-                                                            {"um", 1e-3},
-                                                            {"micron", 1e-3},
-                                                            {"in", 25.4},
-                                                            {"inch", 25.4},
-                                                            {"ft", 304.8}};
-        const auto                                 found = units.find(name);
-        if (found == units.end())
-          refuse("its GeometryScale is '" + name +
-                 "', which is none of mm, m, cm, um, micron, in, inch, ft");
-        return found->second;
-      }
-
-      std::array<double, 3>
-      vector_of(const std::string &value, const std::string &where) const
-      {
-        std::array<double, 3> result{};
-        std::istringstream    in(value);
-        std::string           item;
-        for (unsigned int i = 0; i < 3; ++i)
-          {
-            if (!std::getline(in, item, ','))
-              refuse(where + " is '" + value + "', not three numbers");
-            item.erase(0, item.find_first_not_of(' '));
-            result[i] = scale_ * to_number(item, where);
-          }
-        return result;
-      }
-
-      // --------------------------------------------------------------- yarns
-
-      void
-      read_yarns(const Tree &textile)
-      {
-        for (const auto &[element, child] : textile)
-          if (element == "Yarn")
-            {
-              Yarn yarn;
-              yarn.name =
-                "yarn " + text(child, "index", std::to_string(yarns_.size()));
-              for (const auto &[part, data] : child)
-                if (part == "YarnSection")
-                  yarn.section = read_yarn_section(data, yarn.name);
-                else if (part == "Repeat")
-                  yarn.repeats.push_back(vector_of(text(data, "value", ""),
-                                                   "a repeat of " + yarn.name));
-                else if (part == "MasterNode")
-                  yarn.nodes.push_back(vector_of(text(data, "Position", ""),
-                                                 "a node of " + yarn.name));
-              yarns_.push_back(yarn);
-            }
-      }
-
-      Section
-      read_yarn_section(const Tree &tree, const std::string &yarn) const
-      {
-        const std::string type = text(tree, "type", "");
-        if (type != "CYarnSectionConstant")
-          refuse("the section of " + yarn + " is a " + type +
-                 ", which changes along the yarn; only constant sections are "
-                 "read");
-        const auto section = tree.get_child_optional("Section");
-        if (!section)
-          refuse(yarn + " has no section");
-        return read_section(*section, yarn);
-      }
-
-      Section
-      read_section(const Tree &tree, const std::string &yarn) const
-      {
-        const std::string type = text(tree, "type", "");
-        Section           result;
-        if (type == "CSectionEllipse")
-          result.shape = "ellipse";
-        else if (type == "CSectionLenticular")
-          {
-            if (to_number(text(tree, "Distortion", "0"),
-                          "Distortion of " + yarn) != 0.)
-              refuse("the lenticular section of " + yarn +
-                     " has a Distortion, and only symmetric ones are read");
-            result.shape = "lens";
-          }
-        else if (type == "CSectionRectangle")
-          result.shape = "rounded rectangle";
-        else if (type == "CSectionPowerEllipse")
-          {
-            if (to_number(text(tree, "XOffset", "0"), "XOffset of " + yarn) !=
-                0.)
-              refuse("the power ellipse of " + yarn +
-                     " has an XOffset, and only symmetric ones are read");
-            result.shape = "power ellipse";
-            result.power = to_number(text(tree, "Power", ""),
-                                     "Power of the section of " + yarn);
-          }
-        else
-          refuse("the section of " + yarn + " is a " +
-                 (type.empty() ? "section without a type" : type) +
-                 ", and only ellipse, power ellipse, lenticular and rectangle "
-                 "are read");
-        result.width  = length(tree, "Width", "the section of " + yarn);
-        result.height = length(tree, "Height", "the section of " + yarn);
-        return result;
-      }
-
+    private:
       // ------------------------------------------------- CTextileWeave2D
 
       struct YarnSizes
@@ -375,7 +138,7 @@ namespace NPT
         if (!thickness.empty())
           {
             const double T =
-              scale_ * to_number(thickness, "FabricThickness of the textile");
+              scaled(thickness, "FabricThickness of the textile");
             if (std::abs(T - sum) > 1e-3 * sum)
               weave_.notes.push_back(
                 "The FabricThickness of the file is " + short_number(T, 4) +
@@ -421,6 +184,9 @@ namespace NPT
             const auto  &a = yarn.nodes.front(), &b = yarn.nodes.back();
             const double dx = std::abs(b[0] - a[0]), dy = std::abs(b[1] - a[1]);
             const unsigned int along = dx > dy ? 0 : 1;
+            // Woven yarns swerve a little where their neighbors differ.
+            const bool   woven = yarn.section && yarn.section->is_woven();
+            const double bend  = woven ? 0.02 : 1e-6;
             if (std::min(dx, dy) > 1e-6 * std::max(dx, dy) ||
                 !(std::max(dx, dy) > 0.))
               refuse(yarn.name +
@@ -428,9 +194,9 @@ namespace NPT
                      "not read");
             for (const auto &node : yarn.nodes)
               if (std::abs(node[1 - along] - a[1 - along]) >
-                  1e-6 * std::max(dx, dy))
+                  bend * std::max(dx, dy))
                 refuse(yarn.name + " is not straight in the plane");
-            families[along].push_back({k, a[1 - along]});
+            families[along].push_back({k, mean_across(yarn, 1 - along)});
             for (const auto &repeat : yarn.repeats)
               for (unsigned int d = 0; d < 2; ++d)
                 if (repeat[d] != 0. && repeat[1 - d] == 0.)
@@ -457,6 +223,22 @@ namespace NPT
         read_heights(families, period);
       }
 
+      bool
+      is_woven(const std::vector<StraightYarn> &family) const
+      {
+        const auto &section = yarns_[family[0].index].section;
+        return section && section->is_woven();
+      }
+
+      static double
+      mean_across(const Yarn &yarn, const unsigned int across)
+      {
+        double sum = 0;
+        for (const auto &node : yarn.nodes)
+          sum += node[across] / yarn.nodes.size();
+        return sum;
+      }
+
       void
       check_spacing(const std::vector<StraightYarn> &family,
                     const double                     period) const
@@ -464,7 +246,7 @@ namespace NPT
         const double spacing = period / family.size();
         for (std::size_t k = 1; k < family.size(); ++k)
           if (std::abs(family[k].at - family[k - 1].at - spacing) >
-              1e-4 * spacing)
+              (is_woven(family) ? 1e-2 : 1e-4) * spacing)
             refuse(yarns_[family[k].index].name + " lies " +
                    short_number(family[k].at - family[k - 1].at) +
                    " mm beside its neighbor, where equal spacing would be " +
@@ -554,7 +336,8 @@ namespace NPT
                        yarn.section->shape + ", that of the first yarn " +
                        first->shape +
                        "; warp and weft have one shape of section here");
-              check_sizes(yarn);
+              if (!yarn.section->is_woven())
+                check_sizes(yarn);
             }
         if (first == nullptr)
           return;
@@ -575,6 +358,13 @@ namespace NPT
             weave_.notes.push_back(
               "The corners of the rectangle are rounded by a tenth of its "
               "height (Blunt tip).");
+            return;
+          }
+        if (std::any_of(yarns_.begin(), yarns_.end(), [](const Yarn &yarn) {
+              return yarn.section && yarn.section->is_woven();
+            }))
+          {
+            set_woven_sections();
             return;
           }
         if (cell.section == "lens")
@@ -600,6 +390,39 @@ namespace NPT
           short_number(100. * (cell.warp_section().area() / sharp.area() - 1.),
                        2) +
           " % larger.");
+      }
+
+      // Lenses with the mean areas of the sections: the tip fits both families
+      // in the mean, the widths the rest.
+      void
+      set_woven_sections()
+      {
+        CellParameters &cell = weave_.cell;
+        const auto      area = [&](const double width, const double height) {
+          for (const Yarn &yarn : yarns_)
+            if (yarn.section && yarn.section->width == width &&
+                yarn.section->height == height)
+              return yarn.section->area;
+          refuse("its yarns have different kinds of sections");
+        };
+        double &warp_width     = cell.bundle_width.warp,
+               &weft_width     = cell.bundle_width.weft;
+        const double warp_box  = warp_width * cell.bundle_thickness.warp,
+                     weft_box  = weft_width * cell.bundle_thickness.weft;
+        const double warp_area = area(warp_width, cell.bundle_thickness.warp),
+                     weft_area = area(weft_width, cell.bundle_thickness.weft);
+        const double filled =
+          0.5 * (warp_area / warp_box + weft_area / weft_box);
+        cell.blunt_tip =
+          std::clamp(1.5 * filled - 1., thinnest_blunt_tip, 0.45);
+        const double lens = 2. / 3. * (1. + cell.blunt_tip);
+        warp_width *= warp_area / (lens * warp_box);
+        weft_width *= weft_area / (lens * weft_box);
+        weave_.notes.push_back(
+          "The sections of the file are polygons of a woven state; the straight "
+          "bundles are lenses with their mean areas, " +
+          short_number(warp_area, 4) + " mm^2 (X) and " +
+          short_number(weft_area, 4) + " mm^2 (Y), and their mean heights.");
       }
 
       // e/t with which a lens, whose faces are parabolas of half height e at
@@ -660,31 +483,9 @@ namespace NPT
               "needs others than an impregnated one.");
       }
 
-      const std::string file_;
-      double            scale_ = 1.;
       std::vector<Yarn> yarns_;
       ImportedWeave     weave_;
     };
-
-
-
-    // A line of a comment, whatever a file of another program has in its names.
-    std::string
-    one_line(std::string text)
-    {
-      for (char &c : text)
-        if (static_cast<unsigned char>(c) < ' ')
-          c = ' ';
-      return text;
-    }
-
-
-
-    std::string
-    two(const WarpWeft &value)
-    {
-      return EntryValue<WarpWeft>::text(value);
-    }
   } // namespace
 
 
@@ -705,121 +506,5 @@ namespace NPT
           " gives a cell that cannot be computed: " + error.what());
       }
     return weave;
-  }
-
-
-
-  void
-  write_parameter_file(const ImportedWeave &weave,
-                       const std::string   &source,
-                       std::ostream        &out)
-  {
-    const CellParameters &cell = weave.cell;
-    out << "# The weave '" << one_line(weave.name) << "' of the TexGen file "
-        << one_line(source) << ".\n";
-    for (const std::string &note : weave.notes)
-      out << "# " << one_line(note) << "\n";
-    out << "# The material is not in the file: see subsection Fiber bundle "
-           "material of\n# `npt_dealii --print-defaults`.\n\n"
-        << "subsection Cell\n"
-        << "  set Weave            = " << cell.weave << "\n"
-        << "  set Crossing spacing = " << two(cell.crossing_spacing) << "\n"
-        << "  set Bundle width     = " << two(cell.bundle_width) << "\n"
-        << "  set Bundle thickness = " << two(cell.bundle_thickness) << "\n"
-        << "  set Section          = " << cell.section << "\n";
-    for (const auto &[entry, number] : cell.section_numbers)
-      out << "  set " << entry << " = " << EntryValue<double>::text(number)
-          << "\n";
-    out << "  set Blunt tip        = "
-        << EntryValue<double>::text(cell.blunt_tip) << "\n"
-        << "end\n\n"
-        << "subsection Load programme\n"
-        << "  set Stages = weave, release, shear\n"
-        << "end\n";
-  }
-
-
-
-  void
-  write_texgen(const CellParameters &cell,
-               const std::string    &name,
-               std::ostream         &out)
-  {
-    if (cell.type == "laminate")
-      throw InputError("A laminate has no yarns, so it cannot be written as a "
-                       "TexGen weave (subsection Cell, entry Type).");
-    static const std::map<std::string, std::string> sections = {
-      {"lens", "CSectionLenticular\" Distortion=\"0"},
-      {"ellipse", "CSectionEllipse"},
-      {"power ellipse", "CSectionPowerEllipse\" XOffset=\"0"},
-      {"rounded rectangle", "CSectionRectangle"}};
-    const auto section = sections.find(cell.section);
-    if (section == sections.end())
-      throw InputError("TexGen has no section '" + cell.section +
-                       "'; it has lens, ellipse, power ellipse and rectangle "
-                       "(subsection Cell, entry Section).");
-    const WeavePattern pattern(cell.weave);
-    const double T = cell.bundle_thickness.warp + cell.bundle_thickness.weft;
-    const auto   number = [](const double value) {
-      return EntryValue<double>::text(value);
-    };
-    out << "<?xml version=\"1.0\" ?>\n<TexGenModel version=\"3.13.1\">\n"
-        << "    <Textile name=\"" << name
-        << "\" type=\"CTextileWeave2D\" NeedsBuilding=\"1\" "
-           "GeometryScale=\"mm\" NumXYarns=\""
-        << pattern.n_warp() << "\" NumYYarns=\"" << pattern.n_weft()
-        << "\" GapSize=\"0\" FabricThickness=\"" << number(T)
-        << "\" Resolution=\"20\" Refine=\"1\" InPlaneTangents=\"1\">\n";
-    for (unsigned int i = 0; i < pattern.n_warp(); ++i)
-      for (unsigned int j = 0; j < pattern.n_weft(); ++j)
-        {
-          const bool over = pattern.warp_is_over(i, j);
-          out << "        <PatternCell x=\"" << j << "\" y=\"" << i
-              << "\">\n            <PatternElement value=\"" << (over ? 0 : 1)
-              << "\" />\n            <PatternElement value=\"" << (over ? 1 : 0)
-              << "\" />\n        </PatternCell>\n";
-        }
-    const auto write_family = [&](const std::string &element,
-                                  const unsigned int n,
-                                  const double       width,
-                                  const double       height,
-                                  const double       spacing) {
-      for (unsigned int k = 0; k < n; ++k)
-        out << "        <" << element << " index=\"" << k << "\" Width=\""
-            << number(width) << "\" Height=\"" << number(height)
-            << "\" Spacing=\"" << number(spacing) << "\" />\n";
-    };
-    write_family("XYarnData",
-                 pattern.n_warp(),
-                 cell.bundle_width.warp,
-                 cell.bundle_thickness.warp,
-                 cell.crossing_spacing.warp);
-    write_family("YYarnData",
-                 pattern.n_weft(),
-                 cell.bundle_width.weft,
-                 cell.bundle_thickness.weft,
-                 cell.crossing_spacing.weft);
-    // A yarn of each family says what the section is.
-    for (unsigned int k = 0; k < pattern.n_warp() + pattern.n_weft(); ++k)
-      {
-        const bool is_warp = k < pattern.n_warp();
-        out << "        <Yarn index=\"" << k
-            << "\" NumSlaveNodes=\"20\" NumSectionPoints=\"40\" "
-               "NeedsBuilding=\"7\">\n"
-            << "            <YarnSection type=\"CYarnSectionConstant\">\n"
-            << "                <Section type=\"" << section->second
-            << "\" Width=\""
-            << number(is_warp ? cell.bundle_width.warp : cell.bundle_width.weft)
-            << "\" Height=\""
-            << number(is_warp ? cell.bundle_thickness.warp :
-                                cell.bundle_thickness.weft)
-            << "\"";
-        if (const auto power = cell.section_numbers.find("Section power");
-            cell.section == "power ellipse" &&
-            power != cell.section_numbers.end())
-          out << " Power=\"" << number(power->second) << "\"";
-        out << " />\n            </YarnSection>\n        </Yarn>\n";
-      }
-    out << "    </Textile>\n</TexGenModel>\n";
   }
 } // namespace NPT
