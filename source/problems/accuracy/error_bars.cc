@@ -62,7 +62,7 @@ namespace NPT
     std::vector<AnswerCurve> result;
     for (const LoadStage &stage : stages)
       {
-        if (stage.type != LoadStage::Type::load)
+        if (!stage.is_test())
           continue;
         const auto first =
           std::find_if(rows.begin(), rows.end(), [&](const CurveRow &row) {

@@ -25,7 +25,7 @@ namespace NPT
   {
     // Of the archive below; raise it with every change there or in
     // state_archive.h.
-    constexpr unsigned int checkpoint_version = 1;
+    constexpr unsigned int checkpoint_version = 2;
   } // namespace
 
 
