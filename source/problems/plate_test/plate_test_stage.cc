@@ -22,9 +22,10 @@ namespace NPT
 
   namespace
   {
-    // Plates begin so much of the thickness deep in the highest points, so that
-    // a pressure finds something to act on.
-    const double plate_overlap = 1e-4;
+    // Plates and layers begin so much of the thickness deep in the highest
+    // points, so that a pressure finds something to act on. With a penalty the
+    // stiffness does not depend on the depth, and the energy is round-off.
+    const double plate_overlap = 1e-9;
 
     // Nodes nearer than this fraction of the thickness are about to touch:
     // their couplings enter the pattern.
@@ -323,16 +324,16 @@ namespace NPT
       {
         lower_layers(overlap, start);
         plates_.let_touch(overlap, start.u);
-        start.energies.contact += plates_.energy(start.u);
         reaction = -plates_.force(start.u);
       }
     if (plates_.are_used() || !there_already)
       return;
     // Plates that are taken away let go.
-    const double energy = PressPlates(cell_,
-                                      parameters_.contact.normal_penalty,
-                                      parameters_.contact.n_quadrature_points)
-                            .energy(start.u);
+    PressPlates gone(cell_,
+                     parameters_.contact.normal_penalty,
+                     parameters_.contact.n_quadrature_points);
+    gone.rest_springs(start.u);
+    const double energy = gone.energy(start.u);
     start.energies.contact -= energy;
     start.energies.dissipation += energy;
     start.u[cell_.macro().plate_distance()] = 0.;
