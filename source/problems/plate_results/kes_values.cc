@@ -108,6 +108,16 @@ namespace NPT
       return rows;
     }
 
+    // Of a mode, or of a column that registers itself.
+    double
+    value_of_column(const CurveRow &row, const std::string &column)
+    {
+      if (MacroModes::number_of(column) < MacroModes::n)
+        return curve_value(row, column);
+      const auto found = row.further.find(column);
+      return found == row.further.end() ? not_known : found->second;
+    }
+
     TestCurve
     curve_of(const std::vector<CurveRow> &rows,
              const std::string           &x,
@@ -116,8 +126,8 @@ namespace NPT
       TestCurve curve;
       for (const CurveRow &row : rows)
         {
-          const double x_value = curve_value(row, x),
-                       y_value = curve_value(row, y);
+          const double x_value = value_of_column(row, x),
+                       y_value = value_of_column(row, y);
           if (!std::isfinite(x_value) || !std::isfinite(y_value))
             continue;
           curve.x.push_back(x_value);

@@ -60,6 +60,8 @@ namespace NPT
     tension_from_    = {{f[0], f[1], 0.}};
     tension_to_      = {
            {number_or("warp_tension", f[0]), number_or("weft_tension", f[1]), 0.}};
+    if (prescribes_)
+      return;
     support_at_start_ = f[2] / stiffness_;
     if (!is_bias_)
       return;

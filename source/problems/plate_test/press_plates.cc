@@ -38,7 +38,8 @@ namespace NPT
     is_centered_ = !cell.fabric().free_translations()[2];
     if (is_centered_)
       return;
-    spring_stiffness_ = 1e-8 * penalty_ * cell.fabric().area();
+    // Enough for a matrix without zero pivots, and too little to be felt.
+    spring_stiffness_ = 1e-11 * penalty_ * cell.fabric().area();
     springs_.push_back({center_});
     for (unsigned int k = 1; k < cell.fabric().n_layers(); ++k)
       springs_.push_back(

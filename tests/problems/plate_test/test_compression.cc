@@ -241,7 +241,7 @@ TEST_CASE("Two layers nest where crests meet hollows, and the force of the "
         if (entry.find("Elements a") != std::string::npos)
           entry.back() = '3';
       for (const auto &[stage, targets, step] :
-           {std::make_tuple("press", "pressure: 0.02", "0.1"),
+           {std::make_tuple("press", "pressure: 0.02", "0.25"),
             std::make_tuple("more", "pressure: 0.0201", "0.5")})
         for (const std::string &entry : press_stage(stage, targets, step))
           overrides.push_back(entry);
