@@ -272,9 +272,10 @@ TEST_CASE("A ply with fibers under bias extension to an angle bears nothing "
 
 
 
-TEST_CASE("Under bias extension a weave shears, and what weaving has left across "
-          "the bias goes",
-          "[top]")
+TEST_CASE(
+  "Under bias extension a weave shears, and what weaving has left across "
+  "the bias goes",
+  "[top]")
 {
   const auto curve =
     tester_curve(tester_cell("pull") +

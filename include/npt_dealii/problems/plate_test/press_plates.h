@@ -25,9 +25,9 @@ namespace NPT
    * The integral is over the faces as they are at rest, with Gauss points. The
    * plates press with the force F = -dE/dT each, the mean of both; dE/dc = 0
    * makes both forces equal. In a cell with a glide plane, which exchanges
-   * them, c = 0; in the others c is free, and a spring of 1e-11 of the stiffness
-   * of the plates holds it where the fabric does not touch them, and one each
-   * the layers above the first one, where they touch nothing.
+   * them, c = 0; in the others c is free, and a spring of 1e-11 of the
+   * stiffness of the plates holds it where the fabric does not touch them, and
+   * one each the layers above the first one, where they touch nothing.
    */
   class PressPlates
   {
