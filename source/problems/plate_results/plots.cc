@@ -120,12 +120,14 @@ namespace NPT
         for (const std::string &stage : plot.stages)
           condition += (condition.empty() ? "" : " || ") +
                        ("strcol('stage') eq " + gnuplot_text(stage));
-        const std::string value =
-          condition.empty() ?
-              "(column('" + column + "'))" :
-              "(" + condition + " ? column('" + column + "') : NaN)";
-        out << separator << "    curves using (column('" << plot.x_column
-            << "')):" << value << (second ? " axes x1y2" : "")
+        // Of the abscissa as well: its range is that of all its numbers.
+        const auto values_of = [&](const std::string &name) {
+          return condition.empty() ?
+                     "(column('" + name + "'))" :
+                     "(" + condition + " ? column('" + name + "') : NaN)";
+        };
+        out << separator << "    curves using " << values_of(plot.x_column)
+            << ':' << values_of(column) << (second ? " axes x1y2" : "")
             << " with linespoints linestyle " << style++
             << (legend ? " title " + gnuplot_text(column_name(column) +
                                                   (second ? " (right)" : "")) :

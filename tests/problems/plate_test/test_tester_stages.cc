@@ -4,6 +4,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/homogenization/yarn_frame.h>
+#include <npt_dealii/problems/plate_test/curvature_range.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 
 #include <catch2/catch.hpp>
@@ -393,4 +394,52 @@ TEST_CASE("Targets that a tester's stage does not have are refused by name",
   CHECK_THAT(refused("compression", "pressure: -1"),
              Catch::Contains("above 0 MPa"));
   CHECK(refused("compression", "pressure: 0.1, n1: 0, n2: 0") == "none");
+}
+
+
+
+TEST_CASE(
+  "Curvatures that make no sense for a cell are doubted, others are not",
+  "[top]")
+{
+  const auto doubts = [](const std::string &H4, const std::string &jumps) {
+    return doubts_of_curvature(PlateTestParameters::read(
+      make_parameter_text("", "bend.prm"),
+      {"Homogenization/Jumps=" + jumps,
+       "Load programme/Stages=weave, release, bend",
+       "Load programme/Stage bend/Targets=H4: " + H4}));
+  };
+  // Crossings 5 mm apart, a layer of 2.4 mm.
+  CHECK(doubts("0.01", "linear").empty());
+  CHECK(doubts("0.1", "objective").empty());
+  const auto of_slopes = doubts("0.05", "linear");
+  REQUIRE(of_slopes.size() == 1);
+  CHECK_THAT(of_slopes[0], Catch::Contains("Jumps = objective"));
+  const auto of_instrument = doubts("0.25", "objective");
+  REQUIRE(of_instrument.size() == 2);
+  CHECK_THAT(of_instrument[0], Catch::Contains("radius of 4 mm"));
+  CHECK_THAT(of_instrument[1],
+             Catch::Contains("less than the distance of the crossings, 5 mm"));
+}
+
+
+
+TEST_CASE("A KES test of a stage that there is not is refused with the nearest "
+          "name",
+          "[top]")
+{
+  std::string message;
+  try
+    {
+      PlateTestParameters::read(make_parameter_text("", "kes.prm"),
+                                {"KES/Shear stages=sheer"});
+    }
+  catch (const InputError &error)
+    {
+      message = error.what();
+    }
+  CHECK_THAT(message,
+             Catch::Contains("Shear stages names sheer") &&
+               Catch::Contains("did you mean 'shear'") &&
+               Catch::Contains("subsection KES"));
 }
