@@ -128,6 +128,22 @@ namespace NPT
                   "to top [degrees]. The total thickness is the bundle "
                   "thickness.",
                   Patterns::List(Patterns::Double(-180., 180.), 1));
+    add_parameter(prm,
+                  "Layers",
+                  n_layers,
+                  "Layers of woven fabric on each other [-], for compression "
+                  "between plates: each is the whole cell and is woven apart "
+                  "from the others; they come into contact when a stage of "
+                  "type compression presses them. More than one need a cell "
+                  "without glide plane, and do not use the two-fold axis.",
+                  Patterns::Integer(1, 20));
+    add_parameter(prm,
+                  "Layer shift",
+                  layer_shift,
+                  "Shift of each layer against the one below it, along Y1 and "
+                  "along Y2 [mm]. Layers nest where the crests of one meet the "
+                  "hollows of the other. The shift is held.",
+                  Patterns::List(Patterns::Double(), 2, 2));
     add_section_parameters(prm);
     add_constraint_parameters(prm);
   }
@@ -275,6 +291,11 @@ namespace NPT
         if (!message.empty())
           throw InputError(message + " (subsection Cell).");
       }
+    if (n_layers > 1 && (type == "sub-unit cell" || type == "laminate"))
+      throw InputError("Layers is " + std::to_string(n_layers) +
+                       " with Type = " + type +
+                       "; layers of fabric need a cell without glide plane, as "
+                       "Type = primitive cell or automatic (subsection Cell).");
   }
 
 

@@ -22,9 +22,10 @@ namespace NPT
       if (cell.type == "automatic")
         {
           const WeavePattern weave(cell.weave);
-          cell.type = weave.has_glide() ? "sub-unit cell" :
-                      weave.is_plain()  ? "two-crossing cell" :
-                                          "primitive cell";
+          cell.type = weave.has_glide() && cell.n_layers == 1 ?
+                        "sub-unit cell" :
+                      weave.is_plain() ? "two-crossing cell" :
+                                         "primitive cell";
         }
       return cell;
     }

@@ -2,6 +2,7 @@
 // The bundles of a weave's cell and the operations that relate them.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/fabric/layers.h>
 #include <npt_dealii/fabric/woven_cell.h>
 
 #include <algorithm>
@@ -449,6 +450,13 @@ namespace NPT
   CellLayout
   make_woven_cell(const CellParameters &cell, const MeshParameters &mesh)
   {
-    return WovenCellMaker(cell, mesh).layout();
+    if (cell.n_layers == 1)
+      return WovenCellMaker(cell, mesh).layout();
+    // The axes of shifted layers are not the same.
+    CellParameters layer = cell;
+    layer.two_fold_axis  = false;
+    return stack_layers(WovenCellMaker(layer, mesh).layout(),
+                        cell,
+                        WovenLattice(layer).shifts());
   }
 } // namespace NPT

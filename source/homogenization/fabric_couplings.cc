@@ -67,16 +67,18 @@ namespace NPT
       // Vertical forces on the whole cell are in equilibrium, so this pin is
       // free of reactions: w3 = -w3.
       void
-      pin_vertically(std::array<unsigned int, 3> at, const bool smooth)
+      pin_vertically(const unsigned int          b,
+                     std::array<unsigned int, 3> at,
+                     const bool                  smooth)
       {
         // (A18) has use for the ends of a bundle.
         for (unsigned int d = 0;
-             smooth && d < n_closed_directions(cell_.bundles()[0]);
+             smooth && d < n_closed_directions(cell_.bundles()[b]);
              ++d)
           at[d] = std::min(std::max(at[d], 1u),
-                           space_.patch(0).n_control_points(d) - 2);
+                           space_.patch(b).n_control_points(d) - 2);
         const unsigned int A =
-          space_.control_point(0, space_.patch(0).index(at));
+          space_.control_point(b, space_.patch(b).index(at));
         orbits_.relate(3 * A + 2,
                        -1.,
                        3 * A + 2,
@@ -121,15 +123,16 @@ namespace NPT
       // together are in equilibrium, so these pins are free of reactions; a pin
       // in every bundle would bear what bundles exert on each other.
       void
-      pin_in_plane(const std::optional<std::array<double, 2>> &in_plane,
+      pin_in_plane(const unsigned int                          b,
+                   const std::optional<std::array<double, 2>> &in_plane,
                    const std::array<bool, 3>                  &is_free,
                    AffineConstraints<double> &constraints) const
       {
         const std::array<double, 2> place = in_plane.value_or(
-          std::array<double, 2>{{cell_.axis_parameter(0), 0.5}});
-        const WeightedPoints points = fiber_through_thickness(0, place);
+          std::array<double, 2>{{cell_.axis_parameter(b), 0.5}});
+        const WeightedPoints points = fiber_through_thickness(b, place);
         Point<3>             center =
-          space_.patch(0).value(Point<3>(place[0], place[1], 0.5));
+          space_.patch(b).value(Point<3>(place[0], place[1], 0.5));
         center[2] = 0.;
         for (const auto &[A, weight] : points)
           if (jumps_ == nullptr)
@@ -279,7 +282,8 @@ namespace NPT
                  const std::vector<PeriodicImage> &images,
                  const std::vector<Point<3>>      &woven,
                  const Pins                       &pins,
-                 const ObjectiveJumps             *jumps)
+                 const ObjectiveJumps             *jumps,
+                 const UsedUnknowns               &used)
   {
     FabricCouplings couplings(cell,
                               space,
@@ -292,17 +296,25 @@ namespace NPT
     if (smooth)
       couplings.close_smoothly();
     const std::array<bool, 3> is_free = cell.free_translations();
-    if (pins.used && is_free[2] && jumps == nullptr)
-      couplings.pin_vertically(pins.vertical, smooth);
+    for (unsigned int k = 0; k < (used.plates ? 1 : cell.n_layers()); ++k)
+      if (pins.used && is_free[2] && jumps == nullptr)
+        couplings.pin_vertically(cell.first_bundle(k), pins.vertical, smooth);
 
     AffineConstraints<double> constraints;
     couplings.write(constraints);
     for (const PeriodicImage &periodic_image : images)
       couplings.add_image(periodic_image, constraints);
-    if (pins.used)
-      couplings.pin_in_plane(pins.in_plane, is_free, constraints);
-    if (jumps == nullptr)
+    for (unsigned int k = 0; pins.used && k < cell.n_layers(); ++k)
+      couplings.pin_in_plane(cell.first_bundle(k),
+                             pins.in_plane,
+                             is_free,
+                             constraints);
+    if (jumps == nullptr && !used.support)
       constraints.add_line(macro.support());
+    if (!used.plates)
+      constraints.add_line(macro.plate_distance());
+    if (!used.plates || !is_free[2])
+      constraints.add_line(macro.plate_center());
     constraints.close();
     return constraints;
   }

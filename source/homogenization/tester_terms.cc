@@ -2,6 +2,7 @@
 // In-plane shear in the terms of fabric testers.
 
 #include <npt_dealii/homogenization/tester_terms.h>
+#include <npt_dealii/homogenization/yarn_frame.h>
 
 #include <cmath>
 
@@ -20,7 +21,14 @@ namespace NPT
     terms.shear_angle  = g * 180. / dealii::numbers::PI;
     terms.shear_torque = F11 * F22 / (F11 + F22) *
                          (2. * n[2] - F12 / F11 * n[0] - F12 / F22 * n[1]);
-    terms.frame_force = terms.shear_torque / std::cos(g);
+    terms.frame_force         = terms.shear_torque / std::cos(g);
+    const Membrane H_membrane = {{H[0], H[1], H[2]}};
+    const Membrane f = YarnFrames::conjugates(H_membrane, {{n[0], n[1], n[2]}});
+    terms.warp_tension = f[0];
+    terms.weft_tension = f[1];
+    terms.bias_stretch = YarnFrames::bias_stretch(H_membrane).value;
+    terms.bias_force   = terms.bias_stretch / (0.5 * (F11 + F22) + F12) *
+                       (0.5 * (n[0] + n[1]) + n[2]);
     return terms;
   }
 } // namespace NPT

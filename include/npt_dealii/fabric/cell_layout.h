@@ -47,6 +47,8 @@ namespace NPT
     };
     /// Nothing if the axis is no constraint.
     std::optional<Mirror> mirror = std::nullopt;
+    /// From bottom to top, of Cell / Layers.
+    unsigned int layer = 0;
   };
 
   /**
@@ -77,6 +79,8 @@ namespace NPT
     unsigned int              secondary_side;
     std::vector<SurfaceImage> primaries;
     unsigned int              direction = 2; ///< as in SurfaceImage
+    /// The top of a layer against the bottom of the next one.
+    bool between_layers = false;
   };
 
   /// One crossing of a bundle of the cell, seen through a shift of the cell.

@@ -92,6 +92,9 @@ namespace NPT
     SideContact         side_contact   = SideContact::automatic;
     bool                warp_secondary = false; ///< which side carries nodes
     std::vector<double> plies          = {0.};  ///< laminate: angles [degrees]
+    /// Layers of the woven cell, each shifted in plane against the one below.
+    unsigned int        n_layers    = 1;
+    std::vector<double> layer_shift = {0., 0.}; ///< along Y1, Y2 [mm]
 
     BundleSection
     warp_section() const;

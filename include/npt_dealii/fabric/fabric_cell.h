@@ -120,6 +120,19 @@ namespace NPT
       return layout_.bundles[bundle].n_crossings;
     }
 
+    /// Layers of fabric on each other, from bottom to top.
+    unsigned int
+    n_layers() const
+    {
+      return layout_.bundles.back().layer + 1;
+    }
+    /// The number of the first bundle of a layer.
+    unsigned int
+    first_bundle(const unsigned int layer) const
+    {
+      return layer * (layout_.bundles.size() / n_layers());
+    }
+
     /// The weaving offset t of straight bundles that just touch [mm].
     double
     weaving_offset() const

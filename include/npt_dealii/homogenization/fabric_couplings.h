@@ -27,7 +27,8 @@ namespace NPT
   struct Pins
   {
     bool used = true; ///< false leaves them free, to look at reactions
-    /// Parameters, in [0,1]^2, of the point of the first bundle that is held in
+    /// Parameters, in [0,1]^2, of the point of the first bundle (of every layer
+    /// of fabric) that is held in
     /// plane, if the 2-fold axis is not a constraint. Empty: where an axis of
     /// the weave goes through the bundle, or its middle.
     std::optional<std::array<double, 2>> in_plane;
@@ -35,6 +36,15 @@ namespace NPT
     /// Y3, if there is no glide plane. With a smooth closure one at the end of
     /// the patch is replaced by its neighbor inside.
     std::array<unsigned int, 3> vertical = {{0, 0, 0}};
+  };
+
+  /// Which unknowns behind the modes and the offset a stage makes use of; the
+  /// others are zero. See MacroUnknowns.
+  struct UsedUnknowns
+  {
+    bool support = false;
+    /// Between plates only the lowest layer of fabric is pinned along Y3.
+    bool plates = false;
   };
 
   /**
@@ -60,7 +70,10 @@ namespace NPT
    *   depend on where a strand is cut into periods (by 2 % of n1 t in a coarse
    *   twill), with woven positions they do not.
    * @param jumps Given: the couplings are those of v of (A25), free of H, and
-   *   the mean height of the cell has to be held instead of the vertical pin.
+   *   the mean height of the cell has to be held instead of the vertical pin,
+   *   for which the support is used.
+   * @param used The plates are centered at the mid-plane if a glide plane
+   *   exchanges them.
    * @return Closed constraints over macro.n_unknowns() unknowns.
    *
    * Throws std::logic_error if the mesh is not mapped onto itself by an
@@ -73,7 +86,8 @@ namespace NPT
                  const std::vector<PeriodicImage>    &images,
                  const std::vector<dealii::Point<3>> &woven = {},
                  const Pins                          &pins  = {},
-                 const ObjectiveJumps                *jumps = nullptr);
+                 const ObjectiveJumps                *jumps = nullptr,
+                 const UsedUnknowns                  &used  = {});
 } // namespace NPT
 
 #endif

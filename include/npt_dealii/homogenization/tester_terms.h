@@ -24,6 +24,14 @@ namespace NPT
    * with the derivative at constant yarn stretches and without rotation: m dg
    * is the work per reference area of turning the yarns. With inextensible
    * yarns (trellis) m = n_3 cos(g/2) - (n_1 + n_2)/2 sin(g/2).
+   *
+   * Tensions are those of (A36). The bias force is that of a strip cut along
+   * the bias e_b, per reference width, whose edges are free (bias extension),
+   *
+   * @f[ p = \frac{\lambda_b}{e_b \cdot U e_b}
+   *         \left( \frac{n_1 + n_2}{2} + n_3 \right) , @f]
+   *
+   * which in other states is just this number.
    */
   struct TesterTerms
   {
@@ -33,6 +41,10 @@ namespace NPT
     double shear_torque; ///< m [N/mm], moment per area
     double frame_force;  ///< F_sh = m / cos g [N/mm], as normalized by the
                          ///< side of a picture frame
+    double warp_tension; ///< along the warp, at a constant angle [N/mm]
+    double weft_tension; ///< along the weft [N/mm]
+    double bias_stretch; ///< lambda_b [-]
+    double bias_force;   ///< p [N/mm]
   };
 
   /// @param H, n Gradients and their conjugates; bending has no part in it.

@@ -51,6 +51,18 @@ namespace NPT
                   (values[i] * values[i] + values[i - 1] * values[i - 1]);
       return std::sqrt(square);
     }
+
+    // The column that answers a target in the terms of testers; empty for those
+    // that accompany another one.
+    std::string
+    answer_to(const std::string &target)
+    {
+      return target == "shear_angle"    ? "shear_torque" :
+             target == "bias_stretch"   ? "bias_force" :
+             target == "plate_distance" ? "pressure" :
+             target == "pressure"       ? "plate_distance" :
+                                          "";
+    }
   } // namespace
 
 
@@ -62,7 +74,7 @@ namespace NPT
     std::vector<AnswerCurve> result;
     for (const LoadStage &stage : stages)
       {
-        if (stage.type != LoadStage::Type::load)
+        if (!stage.is_test())
           continue;
         const auto first =
           std::find_if(rows.begin(), rows.end(), [&](const CurveRow &row) {
@@ -72,16 +84,16 @@ namespace NPT
           continue;
         const CurveRow before =
           first == rows.begin() ? CurveRow() : *(first - 1);
-        const auto add = [&](const MacroMode                   &mode,
-                             const std::pair<unsigned, double> &target,
-                             const bool                         gradient) {
+        const auto add = [&](const std::string &driven,
+                             const std::string &answer,
+                             const double       target) {
           AnswerCurve curve;
           curve.stage  = stage.name;
-          curve.driven = gradient ? mode.name : mode.conjugate;
-          curve.answer = gradient ? mode.conjugate : mode.name;
+          curve.driven = driven;
+          curve.answer = answer;
           // A resultant that is held is so to the tolerance of Newton's method.
-          if (std::abs(curve_value(before, curve.driven) - target.second) <=
-              1e-4 * std::abs(target.second))
+          if (std::abs(curve_value(before, curve.driven) - target) <=
+              1e-4 * std::abs(target))
             return;
           for (auto row = first; row != rows.end() && row->stage == stage.name;
                ++row)
@@ -92,11 +104,20 @@ namespace NPT
             }
           result.push_back(curve);
         };
-        for (const auto &target : stage.H_targets)
-          add(MacroModes::table[target.first], target, true);
-        for (const auto &target : stage.n_targets)
-          if (target.second != 0.)
-            add(MacroModes::table[target.first], target, false);
+        for (const auto &[name, target] : stage.tester_targets)
+          if (const std::string answer = answer_to(name); !answer.empty())
+            add(name, answer, target);
+        if (stage.leads_yarns()) // H follows
+          continue;
+        for (const auto &[n, target] : stage.H_targets)
+          add(MacroModes::table[n].name,
+              MacroModes::table[n].conjugate,
+              target);
+        for (const auto &[n, target] : stage.n_targets)
+          if (target != 0.)
+            add(MacroModes::table[n].conjugate,
+                MacroModes::table[n].name,
+                target);
       }
     return result;
   }

@@ -181,7 +181,7 @@ namespace NPT
     set("Mesh/Elements through", std::to_string(setting.n_layers));
     set("Output/Picture", "false");
     for (const LoadStage &stage : parameters_.load_programme.stages)
-      if (stage.type == LoadStage::Type::load)
+      if (stage.is_test())
         for (const char *entry : {"Initial step", "Maximum step"})
           set("Load programme/Stage " + stage.name + "/" + entry,
               number(setting.step));

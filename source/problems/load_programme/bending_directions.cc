@@ -89,7 +89,7 @@ namespace NPT
             directions.obstacle = "it bends about two axes";
         if (!directions.all.empty())
           direction = directions.all.front();
-        if (stage.type != LoadStage::Type::load && direction)
+        if (!stage.is_test() && direction)
           directions.obstacle = "it bends before weaving has ended";
         if (!directions.obstacle.empty())
           {

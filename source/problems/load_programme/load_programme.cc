@@ -5,6 +5,7 @@
 #include <npt_dealii/base/message_words.h>
 #include <npt_dealii/homogenization/macro_modes.h>
 #include <npt_dealii/problems/load_programme/load_programme.h>
+#include <npt_dealii/problems/load_programme/tester_targets.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
@@ -22,10 +23,15 @@ namespace NPT
   enum_names<LoadStage::Type>()
   {
     using Type                         = LoadStage::Type;
-    static const EnumNames<Type> names = {{Type::weave, "weave"},
-                                          {Type::release, "release"},
-                                          {Type::relax, "relax"},
-                                          {Type::load, "load"}};
+    static const EnumNames<Type> names = {
+      {Type::weave, "weave"},
+      {Type::release, "release"},
+      {Type::relax, "relax"},
+      {Type::load, "load"},
+      {Type::trellis, "trellis"},
+      {Type::picture_frame, "picture frame"},
+      {Type::bias_extension, "bias extension"},
+      {Type::compression, "compression"}};
     return names;
   }
 
@@ -60,7 +66,11 @@ namespace NPT
                   given_type,
                   "What the stage does. Automatic: weave or release if it is "
                   "so named, else load. relax: stress and contact pressure "
-                  "relax, see Relaxed fraction.");
+                  "relax, see Relaxed fraction. trellis: yarns of constant "
+                  "length turn against each other; picture frame: yarns that "
+                  "are clamped or under a constant tension turn; bias "
+                  "extension: pulled half way between warp and weft, with free "
+                  "edges; compression: pressed between two plates.");
     add_parameter(
       prm,
       "Targets",
@@ -72,14 +82,16 @@ namespace NPT
         "), n prescribe the conjugate resultants (" +
         MacroModes::units_of_conjugates() +
         ") instead of H. Components not named keep what is prescribed for "
-        "them.",
-      Patterns::Map(Patterns::Selection(MacroModes::choices()),
+        "them. " +
+        TesterTargets::meaning(),
+      Patterns::Map(Patterns::Selection(MacroModes::choices() + "|" +
+                                        TesterTargets::choices()),
                     Patterns::Double()));
     add_parameter(prm,
                   "Friction",
                   given_friction,
-                  "Friction during the stage. Automatic: on in load, off in "
-                  "all others.");
+                  "Friction during the stage. Automatic: off in weave, release "
+                  "and relax, on in all others.");
     add_parameter(prm,
                   "Relaxed fraction",
                   relaxed_fraction,
@@ -105,6 +117,8 @@ namespace NPT
       add(MacroModes::table[component].name, value);
     for (const auto &[component, value] : n_targets)
       add(MacroModes::table[component].conjugate, value);
+    for (const auto &[target, value] : tester_targets)
+      add(target.c_str(), value);
     return text;
   }
 
@@ -115,6 +129,7 @@ namespace NPT
   {
     H_targets.clear();
     n_targets.clear();
+    tester_targets.clear();
     const std::string place = " (subsection Stage " + name + ").";
     for (const std::string &item : split_list(text))
       {
@@ -122,9 +137,13 @@ namespace NPT
         AssertDimension(key_value.size(), 2); // checked by the pattern
         const std::string &key       = key_value[0];
         const unsigned int component = MacroModes::number_of(key);
-        auto &targets = MacroModes::is_conjugate(key) ? n_targets : H_targets;
-        if (!targets.emplace(component, EntryValue<double>::value(key_value[1]))
-               .second)
+        const double       value     = EntryValue<double>::value(key_value[1]);
+        const bool         is_new    = component == MacroModes::n ?
+                                         tester_targets.emplace(key, value).second :
+                                       MacroModes::is_conjugate(key) ?
+                                         n_targets.emplace(component, value).second :
+                                         H_targets.emplace(component, value).second;
+        if (!is_new)
           throw InputError("Targets names " + key + " twice; once is enough" +
                            place);
       }
@@ -149,7 +168,8 @@ namespace NPT
                name == "weave"   ? Type::weave :
                name == "release" ? Type::release :
                                    Type::load;
-    friction = given_friction.value_or(type == Type::load);
+    friction = given_friction.value_or(is_test());
+    TesterTargets::settle(*this);
     if (type == Type::load && H_targets.empty() && n_targets.empty())
       throw InputError("Targets is empty; a load stage needs at least one, "
                        "such as H3: 0.2 (subsection Stage " +
@@ -162,6 +182,29 @@ namespace NPT
                           ", but the stage is not of type relax") +
                        " (subsection Stage " + name + ").");
     steps.check("subsection Stage " + name);
+  }
+
+
+
+  std::optional<double>
+  LoadStage::tester_target(const std::string &target) const
+  {
+    const auto found = tester_targets.find(target);
+    return found == tester_targets.end() ? std::optional<double>() :
+                                           found->second;
+  }
+
+
+
+  std::vector<unsigned int>
+  LoadStage::driven_modes() const
+  {
+    std::vector<unsigned int> modes;
+    for (unsigned int n = 0; n < MacroModes::n; ++n)
+      if (H_targets.count(n) + n_targets.count(n) > 0 ||
+          (leads_yarns() && n < TesterTargets::n_membrane))
+        modes.push_back(n);
+    return modes;
   }
 
 
@@ -208,7 +251,7 @@ namespace NPT
                                  "a weave" +
                                  where);
               break;
-            case LoadStage::Type::load:
+            default: // a test
               if (weave && !release)
                 throw InputError("Stage " + stage.name +
                                  " loads before the weave of stage " +

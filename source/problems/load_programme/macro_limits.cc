@@ -116,6 +116,9 @@ namespace NPT
       {
         for (const auto &target : stage.n_targets)
           H[target.first].reset();
+        if (stage.leads_yarns()) // unless all of them follow
+          for (const unsigned int n : {H1, H2, H3})
+            H[n].reset();
         for (const auto &target : stage.H_targets)
           H[target.first] = target.second;
         const std::string obstacle = obstacle_of_gradients(H, half_thickness);

@@ -4,7 +4,9 @@
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/homogenization/macro_modes.h>
+#include <npt_dealii/homogenization/yarn_frame.h>
 #include <npt_dealii/problems/load_programme/neighbor_distance.h>
+#include <npt_dealii/problems/load_programme/tester_targets.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -60,6 +62,9 @@ namespace NPT
       void
       follow(const LoadStage &stage)
       {
+        if (stage.leads_yarns())
+          for (unsigned int n = 0; n < TesterTargets::n_membrane; ++n)
+            force_[n] = {};
         for (const auto &[mode, target] : stage.H_targets)
           force_[mode] = {};
         for (const auto &[mode, target] : stage.n_targets)
@@ -159,6 +164,16 @@ namespace NPT
         if (!unknown.empty())
           return unknown;
         Gradients end = H;
+        if (stage.leads_yarns())
+          {
+            // Beside the angle the change of the yarns is small.
+            const auto g = TesterTargets::expected_shear_angle(stage);
+            if (!g)
+              return "how far stage " + stage.name +
+                     " shears is not known in advance";
+            const Membrane at = YarnFrames::gradients({1., 1., *g});
+            std::copy(at.begin(), at.end(), end.begin());
+          }
         for (const auto &[mode, target] : stage.H_targets)
           end[mode] = target;
         for (unsigned int n = 0; n < 2; ++n)

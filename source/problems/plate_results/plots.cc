@@ -120,12 +120,14 @@ namespace NPT
         for (const std::string &stage : plot.stages)
           condition += (condition.empty() ? "" : " || ") +
                        ("strcol('stage') eq " + gnuplot_text(stage));
-        const std::string value =
-          condition.empty() ?
-              "(column('" + column + "'))" :
-              "(" + condition + " ? column('" + column + "') : NaN)";
-        out << separator << "    curves using (column('" << plot.x_column
-            << "')):" << value << (second ? " axes x1y2" : "")
+        // Of the abscissa as well: its range is that of all its numbers.
+        const auto values_of = [&](const std::string &name) {
+          return condition.empty() ?
+                     "(column('" + name + "'))" :
+                     "(" + condition + " ? column('" + name + "') : NaN)";
+        };
+        out << separator << "    curves using " << values_of(plot.x_column)
+            << ':' << values_of(column) << (second ? " axes x1y2" : "")
             << " with linespoints linestyle " << style++
             << (legend ? " title " + gnuplot_text(column_name(column) +
                                                   (second ? " (right)" : "")) :
@@ -158,10 +160,22 @@ namespace NPT
       std::vector<std::string>    stages;
       std::vector<CurveRow>       rows;
       std::optional<unsigned int> component;
+      const StageAxes            *axes;
+
+      // Whether a stage that is driven so goes on in the same panel.
+      bool
+      is_continued_by(const std::optional<unsigned int> &other,
+                      const StageAxes                   *other_axes) const
+      {
+        if (axes == nullptr || other_axes == nullptr)
+          return axes == other_axes && other && component == other;
+        return axes->x_column == other_axes->x_column &&
+               axes->y_columns == other_axes->y_columns;
+      }
     };
 
     std::vector<StageGroup>
-    group_stages(const std::vector<CurveRow> &rows)
+    group_stages(const std::vector<CurveRow> &rows, const AxesOfStages &axes)
     {
       std::vector<StageGroup> groups;
       for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end)
@@ -172,10 +186,13 @@ namespace NPT
                                             rows.begin() + end);
           if (stage.size() < 2)
             continue;
-          const auto component = driving_component(stage);
-          if (groups.empty() || !component ||
-              groups.back().component != component)
-            groups.push_back({{}, {}, component});
+          const auto             component = driving_component(stage);
+          const auto             own       = axes.find(stage[0].stage);
+          const StageAxes *const stage_axes =
+            own == axes.end() ? nullptr : &own->second;
+          if (groups.empty() ||
+              !groups.back().is_continued_by(component, stage_axes))
+            groups.push_back({{}, {}, component, stage_axes});
           groups.back().stages.push_back(stage[0].stage);
           groups.back().rows.insert(groups.back().rows.end(),
                                     stage.begin(),
@@ -193,7 +210,12 @@ namespace NPT
       panel.stages = group.stages;
       for (const std::string &name : group.stages)
         panel.title += (panel.title.empty() ? "" : ", ") + name;
-      if (group.component)
+      if (group.axes != nullptr)
+        {
+          panel.x_column  = group.axes->x_column;
+          panel.y_columns = group.axes->y_columns;
+        }
+      else if (group.component)
         {
           const MacroMode &mode = MacroModes::table[*group.component];
           panel.x_column        = mode.name;
@@ -247,10 +269,10 @@ namespace NPT
 
 
   std::vector<PlotSpec>
-  default_plots(const std::vector<CurveRow> &rows)
+  default_plots(const std::vector<CurveRow> &rows, const AxesOfStages &axes)
   {
     std::vector<PlotSpec> plots;
-    for (const StageGroup &group : group_stages(rows))
+    for (const StageGroup &group : group_stages(rows, axes))
       {
         const PlotSpec response = response_panel(group);
         plots.push_back(response);
@@ -295,10 +317,10 @@ namespace NPT
 
 
   bool
-  write_curves_script(const std::string &folder)
+  write_curves_script(const std::string &folder, const AxesOfStages &axes)
   {
     const std::vector<PlotSpec> panels =
-      default_plots(read_curves(folder + "/curves.csv"));
+      default_plots(read_curves(folder + "/curves.csv"), axes);
     if (panels.empty())
       return false;
     write_plot_script(folder + "/curves.gp", "curves.csv", "curves", panels);

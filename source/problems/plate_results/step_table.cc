@@ -40,7 +40,18 @@ namespace NPT
         AssertIndexRange(i, MacroModes::n);
       }
     components_ = components;
+    columns_.clear();
     first_step_ = true; // the titles change
+  }
+
+
+
+  void
+  StepTable::show_columns(const std::vector<std::string> &columns)
+  {
+    components_.clear();
+    columns_    = columns;
+    first_step_ = true;
   }
 
 
@@ -52,8 +63,10 @@ namespace NPT
       {
         std::string titles =
           format("%5s %-10s %10s", "step", "stage", "factor");
-        if (components_.empty())
+        if (components_.empty() && columns_.empty())
           titles += format("  %13s", "largest H");
+        for (const std::string &column : columns_)
+          titles += format("  %14s", column.c_str());
         for (const unsigned int i : components_)
           titles += format("  %10s", MacroModes::table[i].name);
         titles += format(" %5s %8s %5s %6s %6s %6s %8s %9s",
@@ -72,7 +85,7 @@ namespace NPT
 
     std::string text =
       format("%5u %-10s %10.6f", row.step, row.stage.c_str(), row.load_factor);
-    if (components_.empty())
+    if (components_.empty() && columns_.empty())
       {
         // By work: gradients [-] and curvatures [1/mm] are not comparable.
         unsigned int largest = 0;
@@ -84,6 +97,8 @@ namespace NPT
                        MacroModes::table[largest].name,
                        row.H[largest]);
       }
+    for (const std::string &column : columns_)
+      text += format("  %14.6g", curve_value(row, column));
     for (const unsigned int i : components_)
       text += format("  %10.3e", row.H[i]);
     text += format(" %5u %8.1e ", row.newton_iterations, residual);

@@ -153,9 +153,9 @@ namespace NPT
         // fraction of an element: averages over control points would see that
         // only when they are deep in each other, Gauss points see it at once.
         // The same holds where a crossing bundle is narrower than a few
-        // elements.
+        // elements, and where layers touch anywhere.
         ContactParameters contact_parameters = contact;
-        if (pair.direction != 2 ||
+        if (pair.direction != 2 || pair.between_layers ||
             (cell.parameters().type != "laminate" &&
              n_spans_across_partner(cell, space, pair.secondary_bundle) <
                fewest_spans_for_mortar))

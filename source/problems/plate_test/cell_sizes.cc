@@ -53,6 +53,7 @@ namespace NPT
       for (const double integral : cell.bodies().integrals_of_functions(false))
         volume += integral;
       const double layer = layer_thickness(parameters.cell);
+      volume /= cell.fabric().n_layers();
       return short_number(100. * volume / (cell.fabric().area() * layer), 4) +
              " % of the layer, which is " + short_number(layer) +
              " mm thick; volume " + short_number(volume) + " mm^3";

@@ -32,8 +32,7 @@ namespace NPT
                     const State               &state)
     {
       const auto &stages = parameters.load_programme.stages;
-      if (stages[index].type == LoadStage::Type::load ||
-          parameters.cell.type == "laminate")
+      if (stages[index].is_test() || parameters.cell.type == "laminate")
         return "";
       std::vector<std::string> entries, values;
       const LoadStage         *weave = nullptr;

@@ -77,7 +77,7 @@ namespace NPT
   {
     State state;
     state.applied.assign(MacroUnknowns::n_modes, 0.);
-    state.reactions.assign(MacroUnknowns::n_macro, 0.);
+    state.reactions.assign(MacroUnknowns::n_driven, 0.);
     state.u.reinit(macro_.n_unknowns());
     state.u[macro_.weaving_offset()] = fabric_.weaving_offset();
     for (const PeriodicImage &image : images())

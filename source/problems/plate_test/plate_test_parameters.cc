@@ -2,6 +2,8 @@
 // Defines gathering, reading and cross-checking of all parameters.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/message_words.h>
+#include <npt_dealii/base/nearest_name.h>
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/fabric/weave_pattern.h>
@@ -14,6 +16,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <tuple>
 
@@ -193,10 +196,11 @@ namespace NPT
                 MacroModes::list_of_names(represented_modes(cell)) +
                 " are allowed (subsection Stage " + stage.name + ").");
           };
-          for (const auto &target : stage.H_targets)
-            check(target.first, MacroModes::table[target.first].name);
-          for (const auto &target : stage.n_targets)
-            check(target.first, MacroModes::table[target.first].conjugate);
+          for (const unsigned int n : stage.driven_modes())
+            check(n,
+                  stage.n_targets.count(n) > 0 ?
+                    MacroModes::table[n].conjugate :
+                    MacroModes::table[n].name);
         }
     }
 
@@ -212,7 +216,7 @@ namespace NPT
                "smooth seam would gain nothing; use Basis = NURBS or Smooth "
                "closure = false (subsections Cell and Mesh).";
       for (const LoadStage &stage : parameters.load_programme.stages)
-        if (stage.type != LoadStage::Type::load)
+        if (!stage.is_test())
           for (unsigned int n = 0; n < MacroModes::n; ++n)
             if (MacroModes::table[n].kind == MacroMode::Kind::bending &&
                 stage.H_targets.count(n) + stage.n_targets.count(n) > 0)
@@ -294,6 +298,46 @@ namespace NPT
 
 
 
+  namespace
+  {
+    void
+    check_testers_stages(const PlateTestParameters &parameters)
+    {
+      const auto              &stages = parameters.load_programme.stages;
+      std::vector<std::string> names;
+      for (const LoadStage &stage : stages)
+        {
+          names.push_back(stage.name);
+          for (const unsigned int n : stage.driven_modes())
+            if (parameters.cell.n_layers > 1 &&
+                MacroModes::table[n].kind == MacroMode::Kind::bending)
+              throw InputError(
+                "Layers is " + std::to_string(parameters.cell.n_layers) +
+                ", but stage " + stage.name + " bends by " +
+                MacroModes::table[n].name +
+                "; layers can be stretched, sheared and pressed (subsections "
+                "Cell and Stage " +
+                stage.name + ").");
+          if (stage.bends_along &&
+              (stage.type == LoadStage::Type::compression ||
+               (stage.leads_yarns() && stage.H_targets.empty())))
+            throw InputError(
+              "Stage " + stage.name + " is of type " + name_of(stage.type) +
+              ", which tests a flat fabric, but it comes after bending with "
+              "objective jumps; test before bending, or use Jumps = linear "
+              "(subsections Load programme and Homogenization).");
+        }
+      for (const auto &[name, entry] : parameters.kes.stages())
+        if (std::find(names.begin(), names.end(), name) == names.end())
+          throw InputError(entry + " names " + name +
+                           ", which the load programme does not have" +
+                           did_you_mean(name, names) + "; it has " +
+                           joined(names, ", ") + " (subsection KES).");
+    }
+  } // namespace
+
+
+
   void
   PlateTestParameters::add_parameters(dealii::ParameterHandler &prm)
   {
@@ -312,6 +356,7 @@ namespace NPT
     output.add_parameters(prm);
     checkpoint.add_parameters(prm);
     accuracy.add_parameters(prm);
+    kes.add_parameters(prm);
   }
 
 
@@ -365,13 +410,13 @@ namespace NPT
       {
         std::vector<unsigned int> modes;
         for (const LoadStage &stage : load_programme.stages)
-          {
-            for (const auto &target : stage.H_targets)
-              modes.push_back(target.first);
-            for (const auto &target : stage.n_targets)
-              modes.push_back(target.first);
-          }
+          for (const unsigned int n : stage.driven_modes())
+            modes.push_back(n);
+        if (cell.n_layers > 1) // whatever the modes, as bending
+          modes.push_back(MacroModes::number_of("H4"));
         std::tie(cell.type, reason_for_type) = smallest_cell_type(cell, modes);
+        if (cell.n_layers > 1)
+          reason_for_type = "because layers have no glide plane in common";
       }
     if (cell.side_contact == CellParameters::SideContact::automatic)
       {
@@ -385,6 +430,7 @@ namespace NPT
     check_modes(*this);
     settle_smooth_closure(*this);
     settle_jumps(*this);
+    check_testers_stages(*this);
   }
 
 

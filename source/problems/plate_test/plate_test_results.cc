@@ -7,12 +7,14 @@
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/vtu_file.h>
+#include <npt_dealii/problems/load_programme/tester_targets.h>
 #include <npt_dealii/problems/plate_exports/export_cell.h>
 #include <npt_dealii/problems/plate_results/cell_picture.h>
 #include <npt_dealii/problems/plate_results/curve_column.h>
 #include <npt_dealii/problems/plate_results/hysteresis.h>
 #include <npt_dealii/problems/plate_results/plots.h>
 #include <npt_dealii/problems/plate_test/cell_sizes.h>
+#include <npt_dealii/problems/plate_test/curvature_range.h>
 #include <npt_dealii/problems/plate_test/plate_step.h>
 #include <npt_dealii/problems/plate_test/plate_test_results.h>
 #include <npt_dealii/solid/solid_fields.h>
@@ -41,6 +43,24 @@ namespace NPT
           Tensor<1, 3>(
             {state.u[3 * A], state.u[3 * A + 1], state.u[3 * A + 2]}));
       return positions;
+    }
+
+    // What testers draw of a stage; without columns for those that have modes.
+    StageAxes
+    tester_axes(const LoadStage &stage)
+    {
+      switch (stage.type)
+        {
+          case LoadStage::Type::trellis:
+          case LoadStage::Type::picture_frame:
+            return {"shear_angle", {"shear_torque", "frame_force"}};
+          case LoadStage::Type::bias_extension:
+            return {"shear_angle", {"bias_force", "shear_torque"}};
+          case LoadStage::Type::compression:
+            return {"plate_distance", {"pressure"}};
+          default:
+            return {};
+        }
     }
   } // namespace
 
@@ -97,6 +117,8 @@ namespace NPT
     if (!parameters_.reason_for_side_contact.empty())
       log_.line("Side contact is on, because " +
                 parameters_.reason_for_side_contact + ".");
+    for (const std::string &doubt : doubts_of_curvature(parameters_))
+      log_.warning(doubt);
   }
 
 
@@ -150,11 +172,15 @@ namespace NPT
   void
   PlateTestResults::begin_stage(const LoadStage &stage)
   {
-    std::vector<unsigned int> driven;
-    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
-      if (stage.H_targets.count(n) + stage.n_targets.count(n) > 0)
-        driven.push_back(n);
-    step_table_.show_components(driven);
+    const StageAxes axes = tester_axes(stage);
+    if (axes.x_column.empty())
+      {
+        step_table_.show_components(stage.driven_modes());
+        return;
+      }
+    std::vector<std::string> columns = {axes.x_column};
+    columns.insert(columns.end(), axes.y_columns.begin(), axes.y_columns.end());
+    step_table_.show_columns(columns);
   }
 
 
@@ -221,6 +247,13 @@ namespace NPT
         work += 0.5 * (state.reactions[n] + step.before.reactions[n]) * dH *
                 cell.fabric().area();
       }
+    // So do plates.
+    const unsigned int k_plates = MacroUnknowns::n_macro;
+    const double       closing  = state.u[cell.macro().plate_distance()] -
+                           step.before.u[cell.macro().plate_distance()];
+    work += 0.5 *
+            (state.reactions[k_plates] + step.before.reactions[k_plates]) *
+            closing;
     row.external_work += work;
     for (unsigned int k = 0; k < cell.contacts().size(); ++k)
       {
@@ -234,6 +267,7 @@ namespace NPT
         row.largest_penetration =
           std::max(row.largest_penetration, summary.largest_penetration);
       }
+    row.contact_energy = state.energies.contact; // with that of plates
     if (stage.type == LoadStage::Type::relax) // with what friction dissipates
       row.dissipation = memory_.curve.back().dissipation +
                         state.energies.dissipation -
@@ -403,13 +437,17 @@ namespace NPT
 
     std::ostringstream title;
     title << "Stage " << stage.name << ", load factor " << state.load_factor;
-    for (const auto &[n, target] : stage.H_targets)
+    for (const auto &[n, target] : stage.leads_yarns() ?
+                                     std::map<unsigned int, double>() :
+                                     stage.H_targets)
       title << ", " << MacroModes::table[n].name << " = "
             << MacroModes::with_unit(short_number(picture.H[n]),
                                      MacroModes::table[n].unit());
     for (const auto &[n, target] : stage.n_targets)
       title << ", " << MacroModes::table[n].conjugate << " = "
             << state.applied[n] << ' ' << MacroModes::table[n].conjugate_unit();
+    for (const auto &[name, target] : stage.tester_targets)
+      title << ", to " << TesterTargets::with_unit(name, target);
     const std::string name =
       "cell_" + parameters_.load_programme.file_name(stage.name);
 
@@ -482,8 +520,12 @@ namespace NPT
     std::vector<std::string>  scripts;
     if (parameters_.output.picture)
       {
+        AxesOfStages axes;
+        for (const LoadStage &stage : parameters_.load_programme.stages)
+          if (const StageAxes own = tester_axes(stage); !own.x_column.empty())
+            axes.emplace(stage.name, own);
         // First, because a script that fails ends gnuplot.
-        if (write_curves_script(directory_))
+        if (write_curves_script(directory_, axes))
           scripts.push_back("curves.gp");
         else
           log_.warning(
@@ -511,6 +553,13 @@ namespace NPT
         log_.line(describe(*loop));
         if (!directory_.empty())
           write_hysteresis(directory_ + "/hysteresis.csv", *loop);
+      }
+    const auto kes = kes_values(memory_.curve, parameters_.kes);
+    if (!kes.empty())
+      {
+        log_.line(describe(kes));
+        if (!directory_.empty())
+          write_kes_values(directory_ + "/kes.csv", kes);
       }
     report_energies();
     warn_of_penetration();

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -21,9 +22,16 @@ namespace NPT
 
   namespace
   {
+    // Plates and layers begin so much of the thickness deep in the highest
+    // points, so that a pressure finds something to act on. With a penalty the
+    // stiffness does not depend on the depth, and the energy is round-off.
+    const double plate_overlap = 1e-9;
+
     // Nodes nearer than this fraction of the thickness are about to touch:
     // their couplings enter the pattern.
     const double pattern_margin = 0.05;
+
+    constexpr unsigned int n_membrane_modes = 3;
 
     // A soft foundation keeps bundles that float before contact holds them
     // during weaving, and fades out in the release.
@@ -37,44 +45,6 @@ namespace NPT
           weaving_began || stages[k].type == LoadStage::Type::weave;
       return weaving_began && (stages[index].type == LoadStage::Type::weave ||
                                stages[index].type == LoadStage::Type::release);
-    }
-
-    // The residual leaves out what the pins bear, so that it does work in a
-    // rigid motion of the cell, in which images take part.
-    double
-    largest_pin_force(const PlateCell &cell, const Vector<double> &residual)
-    {
-      const auto is_free = cell.fabric().free_translations();
-      double     largest = 0;
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          double sum = 0;
-          for (unsigned int k = i; k < cell.macro().first; k += 3)
-            sum += residual[k];
-          for (const PeriodicImage &image : cell.images())
-            for (unsigned int l = 0; l < image.control_points.size(); ++l)
-              sum += residual[image.first_unknown + 3 * l + i];
-          if (is_free[i])
-            largest = std::max(largest, std::abs(sum));
-        }
-      return largest;
-    }
-
-    // Of |force| on the control points [N].
-    double
-    sum_on_bundle(const IGASpace<3>    &space,
-                  const unsigned int    bundle,
-                  const Vector<double> &force)
-    {
-      double sum = 0;
-      for (unsigned int l = 0; l < space.patch(bundle).n_control_points(); ++l)
-        {
-          const unsigned int A = space.control_point(bundle, l);
-          sum +=
-            Tensor<1, 3>({force[3 * A], force[3 * A + 1], force[3 * A + 2]})
-              .norm();
-        }
-      return sum;
     }
 
     std::optional<TimerOutput::Scope>
@@ -107,13 +77,24 @@ namespace NPT
     const auto &stages = parameters.load_programme.stages;
     if (stage_.bends_along)
       jumps_ = cell.objective_jumps(*stage_.bends_along);
+    const double size = length_unit(parameters.cell);
+    frame_            = FrameDrive(stage_,
+                        cell.macro(),
+                        before,
+                        cell.fabric().area(),
+                        force_unit() / (size * size));
+    if (stage_.type == LoadStage::Type::compression)
+      plates_ = PressPlates(cell,
+                            parameters.contact.normal_penalty,
+                            parameters.contact.n_quadrature_points);
     system.reinit(make_couplings(cell.fabric(),
                                  cell.bodies().space(),
                                  cell.macro(),
                                  cell.images(),
                                  woven,
                                  pins,
-                                 jumps_.get()),
+                                 jumps_.get(),
+                                 {frame_.uses_support(), plates_.are_used()}),
                   cell.macro().n_unknowns(),
                   jumps_);
     if (has_foundation(stages, index))
@@ -123,8 +104,15 @@ namespace NPT
     set_prescribed(system);
     add_groups_of_jumps(system);
     foundation_.add_groups(system);
+    frame_.add_group(system);
+    plates_.add_groups(system);
     start_ = make_start(before, index > 0 && stages[index - 1].friction);
     friction_let_go_ = before.energies.friction - start_.energies.friction;
+    if (plates_.are_used())
+      {
+        plates_.rest_springs(start_.u);
+        set_plate_loads();
+      }
     if (stage_.type == LoadStage::Type::relax)
       begin_relaxation();
   }
@@ -187,6 +175,8 @@ namespace NPT
           resultant_controlled_[target.first] = false;
         for (const auto &target : stages[k].n_targets)
           resultant_controlled_[target.first] = true;
+        if (stages[k].leads_yarns())
+          lead_yarns(false);
       }
 
     for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
@@ -208,6 +198,42 @@ namespace NPT
         force_to_[target.first]             = target.second;
         resultant_controlled_[target.first] = true;
       }
+    if (!stage_.leads_yarns())
+      return;
+    // What the drive exerts is its own.
+    lead_yarns(frame_.uses_support());
+    for (unsigned int n = 0; n < n_membrane_modes; ++n)
+      force_from_[n] = force_to_[n] = 0.;
+  }
+
+
+
+  void
+  PlateTestStage::lead_yarns(const bool by_forces)
+  {
+    for (unsigned int n = 0; n < n_membrane_modes; ++n)
+      resultant_controlled_[n] = by_forces;
+  }
+
+
+
+  bool
+  PlateTestStage::pressure_controlled() const
+  {
+    return stage_.tester_target("pressure").has_value();
+  }
+
+
+
+  void
+  PlateTestStage::set_plate_loads()
+  {
+    plate_distance_from_ = start_.u[cell_.macro().plate_distance()];
+    plate_distance_to_ =
+      stage_.tester_target("plate_distance").value_or(plate_distance_from_);
+    pressure_from_ =
+      -start_.reactions[MacroUnknowns::n_macro] / cell_.fabric().area();
+    pressure_to_ = stage_.tester_target("pressure").value_or(pressure_from_);
   }
 
 
@@ -223,6 +249,9 @@ namespace NPT
         prescribed[index] =
           k == MacroUnknowns::n_modes || !resultant_controlled_[k];
       }
+    if (plates_.are_used())
+      prescribed[system.independent_index(cell_.macro().plate_distance())] =
+        !pressure_controlled();
     system.set_prescribed(prescribed);
   }
 
@@ -249,6 +278,9 @@ namespace NPT
         (index_ == 0 ||
          !parameters_.load_programme.stages[index_ - 1].bends_along))
       jumps_->raise(-mean_height_.value(start.u), start.u);
+    if (jumps_ == nullptr)
+      start.u[cell_.macro().support()] = frame_.support_at_start();
+    move_plates(start);
     Vector<double> m, expanded;
     system_.restrict_to_independent(start.u, m);
     system_.expand(m, expanded);
@@ -279,6 +311,100 @@ namespace NPT
 
 
 
+  void
+  PlateTestStage::move_plates(State &start) const
+  {
+    const bool there_already =
+      index_ > 0 && parameters_.load_programme.stages[index_ - 1].type ==
+                      LoadStage::Type::compression;
+    double      &reaction = start.reactions[MacroUnknowns::n_macro];
+    const double overlap =
+      plate_overlap * parameters_.cell.bundle_thickness.smaller();
+    if (plates_.are_used() && !there_already)
+      {
+        lower_layers(overlap, start);
+        plates_.let_touch(overlap, start.u);
+        reaction = -plates_.force(start.u);
+      }
+    if (plates_.are_used() || !there_already)
+      return;
+    // Plates that are taken away let go.
+    PressPlates gone(cell_,
+                     parameters_.contact.normal_penalty,
+                     parameters_.contact.n_quadrature_points);
+    gone.rest_springs(start.u);
+    const double energy = gone.energy(start.u);
+    start.energies.contact -= energy;
+    start.energies.dissipation += energy;
+    start.u[cell_.macro().plate_distance()] = 0.;
+    start.u[cell_.macro().plate_center()]   = 0.;
+    reaction                                = 0.;
+  }
+
+
+
+  /*
+   * Without contact between them layers do no work when they move. No layer
+   * gets nearer to the next one by more than it moves, so none can miss it.
+   */
+  void
+  PlateTestStage::lower_layers(const double overlap, State &start) const
+  {
+    const FabricCell  &fabric   = cell_.fabric();
+    const IGASpace<3> &space    = cell_.bodies().space();
+    const unsigned int n_layers = fabric.n_layers();
+    const double       near     = 0.1 * overlap;
+    const unsigned int most     = 200; // of them a few are needed
+    for (unsigned int iteration = 0; n_layers > 1 && iteration < most;
+         ++iteration)
+      {
+        std::vector<double> gap = gaps_between_layers(start);
+        const bool touch   = *std::max_element(gap.begin(), gap.end()) < near;
+        double     lowered = 0;
+        for (unsigned int k = 1; k < n_layers; ++k)
+          {
+            lowered += touch ? overlap : gap[k - 1];
+            for (unsigned int b = fabric.first_bundle(k);
+                 b < fabric.first_bundle(k + 1);
+                 ++b)
+              for (unsigned int l = 0; l < space.patch(b).n_control_points();
+                   ++l)
+                start.u[3 * space.control_point(b, l) + 2] -= lowered;
+          }
+        Vector<double> m;
+        system_.restrict_to_independent(start.u, m);
+        system_.expand(m, start.u);
+        if (touch)
+          return;
+      }
+  }
+
+
+
+  std::vector<double>
+  PlateTestStage::gaps_between_layers(const State &start) const
+  {
+    const FabricCell   &fabric = cell_.fabric();
+    std::vector<double> gap(fabric.n_layers() - 1,
+                            std::numeric_limits<double>::max());
+    for (unsigned int k = 0; k < contacts().size(); ++k)
+      {
+        const ContactCandidates &pair = fabric.contacts()[k];
+        if (!pair.between_layers)
+          continue;
+        const ContactStep<3> step =
+          contacts()[k]->begin_step(start.contact[k], start.u);
+        ContactEvaluation<3> evaluation;
+        contacts()[k]->evaluate(step, start.u, evaluation);
+        double &smallest = gap[fabric.bundles()[pair.secondary_bundle].layer];
+        for (const auto &closest : evaluation.closest)
+          smallest = std::min(smallest, closest.gap);
+      }
+    return gap;
+  }
+
+
+
   Increment
   PlateTestStage::increment(const State &accepted,
                             const double load_factor) const
@@ -290,9 +416,22 @@ namespace NPT
       if (k == MacroUnknowns::n_modes || !resultant_controlled_[k])
         increment.target[system_.independent_index(cell_.macro().first + k)] =
           from_[k] + load_factor * (to_[k] - from_[k]);
+    if (const auto H = frame_.gradients(load_factor))
+      for (unsigned int n = 0; n < n_membrane_modes; ++n)
+        increment.target[system_.independent_index(cell_.macro().mode(n))] =
+          (*H)[n];
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       increment.applied.push_back(
         force_from_[n] + load_factor * (force_to_[n] - force_from_[n]));
+    if (plates_.are_used())
+      {
+        increment
+          .target[system_.independent_index(cell_.macro().plate_distance())] =
+          plate_distance_from_ +
+          load_factor * (plate_distance_to_ - plate_distance_from_);
+        increment.applied.push_back(
+          pressure_from_ + load_factor * (pressure_to_ - pressure_from_));
+      }
     increment.natural = accepted.natural;
     if (stage_.type != LoadStage::Type::relax)
       {
@@ -341,6 +480,11 @@ namespace NPT
       if (resultant_controlled_[n])
         R[macro.mode(n)] -= increment.applied[n] * cell_.fabric().area();
     mean_height_.add_residual(u, R);
+    frame_.add_residual(increment.load_factor, u, R);
+    plates_.add_residual(u, R);
+    if (plates_.are_used() && pressure_controlled())
+      R[macro.plate_distance()] +=
+        increment.applied.back() * cell_.fabric().area();
   }
 
 
@@ -419,6 +563,8 @@ namespace NPT
                                 system);
         if (jumps_ != nullptr)
           add_tangent_of_jumps(trial, system);
+        frame_.add_tangent(increment.load_factor, trial.u, system);
+        plates_.add_tangent(trial.u, system);
       }
     const auto scope = section(timer_, "Tangent: bundles");
     mean_height_.add_tangent(trial.u, system);
@@ -462,141 +608,5 @@ namespace NPT
            << " N mm differ by more than the tolerance of the energy "
            << step.content << " N mm";
     throw BranchLeft(detail.str());
-  }
-
-
-
-  SupportForces
-  PlateTestStage::support_forces(const Increment &increment,
-                                 const Trial     &trial) const
-  {
-    SupportForces forces;
-    forces.foundation =
-      foundation_.largest_force(trial.u,
-                                foundation_share(increment.load_factor));
-    if (jumps_ == nullptr)
-      forces.pins = largest_pin_force(cell_, trial.residual);
-    else
-      {
-        const Tensor<1, 3> sum = jumps_->sum_in_frames(trial.u, trial.residual);
-        const auto         is_free = cell_.fabric().free_translations();
-        for (unsigned int i = 0; i < 2; ++i)
-          if (is_free[i])
-            forces.pins = std::max(forces.pins, std::abs(sum[i]));
-        forces.normal = mean_height_.force(trial.u);
-      }
-    for (unsigned int k = 0; k < contacts().size(); ++k)
-      {
-        Vector<double> force(cell_.macro().n_unknowns());
-        contacts()[k]->add_residual(increment.contact[k],
-                                    trial.contact[k],
-                                    force);
-        forces.contact =
-          std::max(forces.contact,
-                   sum_on_bundle(cell_.bodies().space(),
-                                 cell_.fabric().contacts()[k].secondary_bundle,
-                                 force));
-      }
-    return forces;
-  }
-
-
-
-  State
-  PlateTestStage::accept(const State     &before,
-                         const Increment &increment,
-                         const Trial     &trial) const
-  {
-    State state = EquilibriumProblem::accept(before, increment, trial);
-    // Conjugates are the reactions of the macro unknowns over the area. The
-    // residual excludes the applied load, so that they are the same for
-    // prescribed H and prescribed n.
-    for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
-      state.reactions.push_back(
-        trial.condensed[system_.independent_index(cell_.macro().mode(n))] /
-          cell_.fabric().area() +
-        (resultant_controlled_[n] ? increment.applied[n] : 0.));
-    state.reactions.push_back(
-      trial
-        .condensed[system_.independent_index(cell_.macro().weaving_offset())]);
-    add_energies(before, trial, state);
-    return state;
-  }
-
-
-
-  void
-  PlateTestStage::add_energies(const State &before,
-                               const Trial &trial,
-                               State       &state) const
-  {
-    Energies &energies           = state.energies;
-    energies.work                = before.energies.work;
-    energies.work_uncertainty    = before.energies.work_uncertainty;
-    energies.release_uncertainty = before.energies.release_uncertainty;
-    energies.dissipation         = before.energies.dissipation;
-    energies.stored = cell_.bodies().stored_energy(state.u, state.natural);
-    for (unsigned int k = 0; k < contacts().size(); ++k)
-      {
-        const ContactSummary summary = contacts()[k]->summary(trial.contact[k]);
-        energies.contact += summary.energy;
-        energies.friction += summary.friction_energy;
-        energies.dissipation += summary.dissipation;
-      }
-    if (stage_.type == LoadStage::Type::relax)
-      {
-        const double fraction_before = relaxed_fraction(before.load_factor);
-        const double fraction        = relaxed_fraction(state.load_factor);
-        energies.relaxation_rate =
-          relaxation_rate(state.u, trial.contact, fraction);
-        energies.dissipation +=
-          0.5 * (fraction - fraction_before) *
-          (before.energies.relaxation_rate + energies.relaxation_rate);
-        energies.work_uncertainty +=
-          0.5 * (fraction - fraction_before) *
-          std::abs(before.energies.relaxation_rate - energies.relaxation_rate);
-      }
-    add_work(before, state);
-  }
-
-
-
-  // Of the forces on the macro unknowns, and of the release on the foundation,
-  // whose springs it weakens.
-  void
-  PlateTestStage::add_work(const State &before, State &state) const
-  {
-    Energies  &energies = state.energies;
-    const auto add      = [&](const double force_before,
-                         const double force_after,
-                         const double path) {
-      energies.work += 0.5 * (force_before + force_after) * path;
-      energies.work_uncertainty +=
-        0.5 * std::abs((force_after - force_before) * path);
-    };
-    for (unsigned int k = 0; k < MacroUnknowns::n_macro; ++k)
-      {
-        const unsigned int unknown = cell_.macro().first + k;
-        const double       area =
-          k < MacroUnknowns::n_modes ? cell_.fabric().area() : 1.;
-        add(area * before.reactions[k],
-            area * state.reactions[k],
-            state.u[unknown] - before.u[unknown]);
-      }
-    // What bodies lose while they relax after that is not known better.
-    if (before.load_factor == 0.)
-      energies.work_uncertainty += 2. * friction_let_go_;
-    if (foundation_.is_empty())
-      return;
-    const double share        = foundation_share(state.load_factor);
-    const double at_full      = foundation_.energy(state.u);
-    const double share_before = foundation_share(before.load_factor);
-    energies.foundation       = share * at_full;
-    if (share != share_before)
-      {
-        const double work_before = energies.work_uncertainty;
-        add(foundation_.energy(before.u), at_full, share - share_before);
-        energies.release_uncertainty += energies.work_uncertainty - work_before;
-      }
   }
 } // namespace NPT

@@ -362,6 +362,26 @@ TEST_CASE(
 
 
 
+TEST_CASE("So does one that is stopped in a picture frame or between plates",
+          "[plate_test]")
+{
+  const auto small = small_cell("KTS", "penalty");
+  check_stopped_run(
+    read(small,
+         {"Load programme/Stages=weave, release, turn, press",
+          "Load programme/Stage turn/Type=picture frame",
+          "Load programme/Stage turn/Targets=shear_angle: 3, warp_tension: "
+          "0.3, weft_tension: 0.3",
+          "Load programme/Stage turn/Initial step=0.5",
+          "Load programme/Stage turn/Maximum step=0.5",
+          "Load programme/Stage press/Type=compression",
+          "Load programme/Stage press/Targets=plate_distance: 2.3",
+          "Load programme/Stage press/Initial step=0.5",
+          "Load programme/Stage press/Maximum step=0.5"}));
+}
+
+
+
 TEST_CASE("Stages may be added to a run that was stopped or has ended",
           "[plate_test]")
 {

@@ -102,8 +102,10 @@ namespace
     REQUIRE(curve.size() == scaled.size());
     for (const std::string &column : curve_columns())
       {
+        // Without plates there is no pressure.
         if (column == "stage" || column == "cpu_seconds" ||
-            column == "newton_order")
+            column == "newton_order" || column == "plate_distance" ||
+            column == "pressure" || column == "bundle_fraction")
           continue;
         const double unit    = units.of(curve_column_unit(column));
         double       largest = 0;
@@ -113,7 +115,8 @@ namespace
         if (column == "shear_angle")
           largest = std::max(largest, 1.); // degree
         if (column[0] == 'N' || column[0] == 'n' || column == "shear_torque" ||
-            column == "frame_force")
+            column == "frame_force" || column == "bias_force" ||
+            column == "warp_tension" || column == "weft_tension")
           for (const CurveRow &row : curve)
             largest = std::max(largest, 1e-4 * row.N.norm());
         if (column[0] == 'M')

@@ -25,7 +25,12 @@ namespace NPT
       weave,   ///< bring straight bundles into their interlaced state
       release, ///< drop the auxiliary conditions of weaving
       relax,   ///< let stress and contact pressure relax
-      load     ///< drive the macroscopic components to the targets
+      load,    ///< drive the macroscopic components to the targets
+      // As testers do; see tester_targets.h.
+      trellis,        ///< turn yarns of constant length
+      picture_frame,  ///< turn yarns that are clamped or under tension
+      bias_extension, ///< pull along the bias, edges free
+      compression     ///< press between two plates
     };
 
     std::string name;
@@ -38,6 +43,9 @@ namespace NPT
     /// Mode -> conjugate resultant n prescribed instead of H. Zero frees the
     /// mode.
     std::map<unsigned int, double> n_targets;
+
+    /// Name (of tester_targets.h) -> value at the end of the stage.
+    std::map<std::string, double> tester_targets;
 
     bool           friction = true;
     StepParameters steps;
@@ -77,6 +85,26 @@ namespace NPT
     /// Throws InputError if a component is prescribed twice.
     void
     set_targets(const std::string &text);
+
+    /// A test of the fabric, not a part of its making.
+    bool
+    is_test() const
+    {
+      return type != Type::weave && type != Type::release &&
+             type != Type::relax;
+    }
+    /// Whether the yarns are led, so that H1, H2 and H3 follow together.
+    bool
+    leads_yarns() const
+    {
+      return type == Type::trellis || type == Type::picture_frame ||
+             type == Type::bias_extension;
+    }
+    std::optional<double>
+    tester_target(const std::string &target) const;
+    /// Modes of which gradient or resultant changes or is prescribed.
+    std::vector<unsigned int>
+    driven_modes() const;
   };
 
   template <>

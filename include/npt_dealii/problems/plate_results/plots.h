@@ -7,6 +7,7 @@
 
 #include <npt_dealii/problems/plate_results/curve_writer.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,16 @@ namespace NPT
     double x_tics = 0.;
   };
 
+  /// What a stage is drawn by, where it is not a mode and its conjugate.
+  struct StageAxes
+  {
+    std::string              x_column;
+    std::vector<std::string> y_columns;
+  };
+
+  /// By the name of the stage.
+  using AxesOfStages = std::map<std::string, StageAxes>;
+
   /// Name and unit of a column in gnuplot's enhanced text, "shear H_3 [-]".
   std::string
   column_label(const std::string &column);
@@ -45,10 +56,12 @@ namespace NPT
    * against its conjugate, and what happens meanwhile: sticking and sliding
    * contact points with the dissipation, or without contact the normal
    * resultants of the extensions. A stage in which no H changes is drawn over
-   * its load factor. Stages with fewer than two rows are left out.
+   * its load factor. Stages with fewer than two rows are left out. Those with
+   * axes of their own have these.
    */
   std::vector<PlotSpec>
-  default_plots(const std::vector<CurveRow> &rows);
+  default_plots(const std::vector<CurveRow> &rows,
+                const AxesOfStages          &axes = {});
 
   /**
    * Write a gnuplot script that reads @p curve_file and writes
@@ -68,7 +81,7 @@ namespace NPT
    * @return false, and no file, if no stage has two load steps.
    */
   bool
-  write_curves_script(const std::string &folder);
+  write_curves_script(const std::string &folder, const AxesOfStages &axes = {});
 } // namespace NPT
 
 #endif

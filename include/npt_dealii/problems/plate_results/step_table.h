@@ -27,6 +27,11 @@ namespace NPT
     void
     show_components(const std::vector<unsigned int> &components);
 
+    /// Show columns of curves.csv in place of gradients, until components are
+    /// chosen again.
+    void
+    show_columns(const std::vector<std::string> &columns);
+
     /// @param residual The last norm of the Newton iteration.
     void
     add_row(const CurveRow &row, const double residual);
@@ -34,6 +39,7 @@ namespace NPT
   private:
     RunLog                   &log_;
     std::vector<unsigned int> components_;
+    std::vector<std::string>  columns_;
     bool                      first_step_ = true;
     std::string               last_stage_;
   };

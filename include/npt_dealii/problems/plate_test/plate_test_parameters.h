@@ -15,6 +15,7 @@
 #include <npt_dealii/material/make_material.h>
 #include <npt_dealii/problems/load_programme/load_programme.h>
 #include <npt_dealii/problems/plate_exports/export_parameters.h>
+#include <npt_dealii/problems/plate_results/kes_values.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -136,6 +137,7 @@ namespace NPT
     OutputParameters         output;
     CheckpointParameters     checkpoint;
     AccuracyParameters       accuracy;
+    KesParameters            kes;
 
     /// The problem that a plate test with Accuracy / Target becomes.
     static constexpr const char *error_controlled =

@@ -7,8 +7,10 @@
 
 #include <npt_dealii/homogenization/objective_jumps.h>
 #include <npt_dealii/load_step/equilibrium_problem.h>
+#include <npt_dealii/problems/plate_test/frame_drive.h>
 #include <npt_dealii/problems/plate_test/mean_height.h>
 #include <npt_dealii/problems/plate_test/plate_cell.h>
+#include <npt_dealii/problems/plate_test/press_plates.h>
 #include <npt_dealii/problems/plate_test/weaving_foundation.h>
 
 #include <deal.II/base/timer.h>
@@ -43,7 +45,8 @@ namespace NPT
    * With objective jumps C relates the displacements in the frames of
    * ObjectiveJumps, and a force along the normals, spread over the volume,
    * holds the mean height of the cell, which the motions of a cylinder do not
-   * leave free.
+   * leave free. FrameDrive leads H1..H3 along the paths of testers; in a
+   * compression PressPlates act on the faces, by their distance or pressure.
    */
   class PlateTestStage : public EquilibriumProblem
   {
@@ -88,8 +91,8 @@ namespace NPT
     /// quadrature points, if asked for; the balance of energy.
     void
     check(const State &before, const State &after) const override;
-    /// With reactions also of the weaving offset [N] behind n1..n6, and with
-    /// the energies.
+    /// With reactions also of the weaving offset and of the distance of the
+    /// plates [N] behind n1..n6, and with the energies.
     State
     accept(const State     &before,
            const Increment &increment,
@@ -115,6 +118,13 @@ namespace NPT
       return cell_.contacts();
     }
 
+    /// The plates of a compression.
+    const PressPlates &
+    plates() const
+    {
+      return plates_;
+    }
+
     /// Whether n_{i+1} is prescribed instead of H_{i+1}.
     bool
     resultant_controlled(const unsigned int i) const
@@ -125,6 +135,9 @@ namespace NPT
   private:
     void
     set_loads(const std::vector<LoadStage> &stages, const State &before);
+    // Whether H1..H3 are free under what the drive exerts, or prescribed.
+    void
+    lead_yarns(const bool by_forces);
     void
     set_prescribed(ConstrainedSystem &system) const;
     void
@@ -133,6 +146,17 @@ namespace NPT
     add_tangent_of_jumps(const Trial &trial, ConstrainedSystem &system) const;
     State
     make_start(const State &before, const bool friction_was_on) const;
+    // Place the plates, or take them away.
+    void
+    move_plates(State &start) const;
+    // Let layers of fabric down until each touches the one below it.
+    void
+    lower_layers(const double overlap, State &start) const;
+    // By interface, from bottom to top [mm].
+    std::vector<double>
+    gaps_between_layers(const State &start) const;
+    void
+    set_plate_loads();
     void
     add_energies(const State &before, const Trial &trial, State &state) const;
     void
@@ -149,6 +173,8 @@ namespace NPT
     // What the release has left of the foundation.
     double
     foundation_share(const double load_factor) const;
+    bool
+    pressure_controlled() const;
 
     const PlateCell           &cell_;
     const PlateTestParameters &parameters_;
@@ -166,7 +192,11 @@ namespace NPT
     std::array<double, MacroUnknowns::n_macro> from_{}, to_{};
     std::array<double, MacroUnknowns::n_modes> force_from_{}, force_to_{};
     std::array<bool, MacroUnknowns::n_modes>   resultant_controlled_{};
-    WeavingFoundation foundation_;          // empty in a load stage
+    WeavingFoundation foundation_; // empty in a load stage
+    FrameDrive        frame_;
+    PressPlates       plates_;
+    double            plate_distance_from_ = 0, plate_distance_to_ = 0; // [mm]
+    double            pressure_from_ = 0, pressure_to_ = 0;             // [MPa]
     double            friction_let_go_ = 0; // at the start [N mm]
     State             start_;
     // Gaps of the contact nodes at the start of a relaxation, by pair.
