@@ -86,7 +86,10 @@ namespace NPT
                   "Stage of type relax: how much of the stress and of the "
                   "contact pressure is gone at its end [-], as in a fabric "
                   "whose weaving stresses have relaxed; 1 leaves bundles "
-                  "without stress that just touch.",
+                  "without stress that just touch. Their place is that before "
+                  "the stage, so that 1 is best reached in one step (Initial "
+                  "step and Maximum step 1); on the way bundles that little "
+                  "holds may float.",
                   Patterns::Double(0., 1.));
     steps.add_parameters(prm);
   }
