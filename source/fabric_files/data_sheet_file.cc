@@ -143,8 +143,11 @@ namespace NPT
                ", n2: " + as_entry(n) + "\n";
       };
       out << "subsection Load programme\n"
-          << "  set Stages = weave, release, relax, stretch, bend, unbend, "
-             "tension, slack, shear\n";
+          << "  set Stages         = weave, release, relax, stretch, shear\n"
+          << "  # Tension, or bend, instead of shear:\n"
+          << "  # --set 'Load programme/Stages=weave, release, relax, stretch, "
+             "bend'\n"
+          << "  set Further stages = tension, bend\n";
       write_stage("relax",
                   "    set Type             = relax\n"
                   "    set Relaxed fraction = 1\n",
@@ -152,24 +155,22 @@ namespace NPT
                   1.,
                   out);
       write_stage("stretch", both(sheet.tension), 0.25, 0.25, out);
-      write_stage("bend",
-                  "    set Targets      = H4: " + curvature.str() + "\n",
-                  0.25,
-                  0.25,
-                  out);
-      write_stage("unbend", "    set Targets      = H4: 0\n", 0.25, 0.25, out);
-      write_stage("tension",
-                  "    set Targets      = n1: " +
-                    as_entry(largest_tension_ratio * sheet.tension) + "\n",
-                  0.1,
-                  0.25,
-                  out);
-      write_stage("slack", both(sheet.tension), 0.25, 0.25, out);
       write_stage("shear",
                   "    set Targets      = H3: " + as_entry(largest_shear) +
                     "\n",
                   0.025,
                   0.05,
+                  out);
+      write_stage("tension",
+                  "    set Targets      = n1: " +
+                    as_entry(largest_tension_ratio * sheet.tension) + "\n",
+                  0.025,
+                  0.2,
+                  out);
+      write_stage("bend",
+                  "    set Targets      = H4: " + curvature.str() + "\n",
+                  0.1,
+                  0.2,
                   out);
       out << "end\n";
     }

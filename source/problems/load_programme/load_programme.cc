@@ -253,6 +253,14 @@ namespace NPT
       "Names of the stages in their order, separated by "
       "commas. Each has its subsection Stage NAME.",
       Patterns::List(Patterns::Anything(), 1));
+    add_parameter(
+      prm,
+      "Further stages",
+      "",
+      [](const std::string &) {},
+      "Names of stages that the file describes and does not run; for other "
+      "lists of stages, as those of --set 'Load programme/Stages=...'.",
+      Patterns::List(Patterns::Anything(), 0));
     for (LoadStage &stage : stages)
       stage.add_parameters(prm);
   }

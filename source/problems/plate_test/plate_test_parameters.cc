@@ -292,15 +292,17 @@ namespace NPT
                   "linear: neighboring cells do not turn, because " + obstacle;
     }
 
-    // A later list of stages, of --set or of a file that includes another one,
-    // may leave out stages of an earlier list; their subsections go with them.
+    // What is described and not run: Further stages, and those of an earlier
+    // list that a later one leaves out, that of --set or of a file that
+    // includes another one.
     ParameterText
     without_dropped_stages(const ParameterText &text, const std::string &stages)
     {
       const auto            kept = split_list(stages);
       std::set<std::string> dropped;
       visit_entries(text, [&](const std::string &path, const auto &statement) {
-        if (path == "Load programme/Stages")
+        if (path == "Load programme/Stages" ||
+            path == "Load programme/Further stages")
           for (const std::string &name : split_list(statement.value))
             if (std::count(kept.begin(), kept.end(), name) == 0)
               dropped.insert("Stage " + name);

@@ -192,6 +192,11 @@ TEST_CASE(
   REQUIRE(kept.size() == 3);
   CHECK(kept[2].H_targets.at(2) == 0.3);
   CHECK(later(file, "weave, release, pull").size() == 3);
+  CHECK(later("subsection Load programme\nset Stages = weave, release, shear\n"
+              "set Further stages = pull\n" +
+                stage("pull", "set Targets = n1: 0.1") + "end\n",
+              "weave, release, pull")
+          .size() == 3);
   CHECK_THROWS_AS(later(file + "subsection Load programme\n" +
                           stage("pul", "set Targets = n1: 1") + "end\n",
                         "weave, release, shear"),
