@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <ostream>
 #include <sstream>
@@ -17,8 +18,6 @@ namespace NPT
 {
   namespace
   {
-    // Sizes of steps and stages serve all fabrics of prm/fabrics.
-    const double largest_shear = 0.7;
     // Curvature times length of a bundle in the cell. Bundles of this law bend
     // as solids do, so that more would lift them off one another.
     const double largest_rotation = 0.01;
@@ -138,6 +137,10 @@ namespace NPT
       std::ostringstream curvature;
       curvature.precision(2);
       curvature << largest_rotation / length;
+      // On the path of inextensible bundles, to where they touch.
+      std::ostringstream shear;
+      shear.precision(2);
+      shear << 2. * std::sin(0.5 * design.locking_angle);
       const auto both = [](const double n) {
         return "    set Targets      = n1: " + as_entry(n) +
                ", n2: " + as_entry(n) + "\n";
@@ -156,9 +159,8 @@ namespace NPT
                   out);
       write_stage("stretch", both(sheet.tension), 0.25, 0.25, out);
       write_stage("shear",
-                  "    set Targets      = H3: " + as_entry(largest_shear) +
-                    "\n",
-                  0.025,
+                  "    set Targets      = H3: " + shear.str() + "\n",
+                  0.02,
                   0.05,
                   out);
       write_stage("tension",

@@ -539,6 +539,11 @@ namespace NPT
         const double d2      = *families_[1].width / families_[1].spacing;
         result_.cover_factor = d1 + d2 - d1 * d2;
         note("Cover factor: " + short_number(result_.cover_factor, 3));
+        result_.locking_angle = std::acos(std::max(d1, d2));
+        note(
+          "Parallel bundles touch at a shear angle of " +
+          short_number(result_.locking_angle * 180. / dealii::numbers::PI, 3) +
+          " degrees");
       }
 
       void

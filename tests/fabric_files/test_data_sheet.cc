@@ -142,6 +142,7 @@ TEST_CASE(
   CHECK(design.fiber_fraction.weft ==
         Approx(0.8 / (2. / 3. * 3. * 0.5 * 1.1)).epsilon(1e-12));
   CHECK(design.cover_factor == Approx(0.8 + 0.75 - 0.8 * 0.75));
+  CHECK(std::cos(design.locking_angle) == Approx(0.8).epsilon(1e-12));
   CHECK(design.wave_height.warp == 0.25);
   CHECK(design.fabric_thickness == 1.);
   CHECK(design.areal_density == Approx(2000. / 5. * (1. + design.crimp.warp) +

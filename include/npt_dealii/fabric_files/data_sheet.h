@@ -80,7 +80,9 @@ namespace NPT
     WarpWeft       crimp            = 0.; ///< [-]
     double         areal_density    = 0.; ///< [g/m^2]
     double         fabric_thickness = 0.; ///< from face to face [mm]
-    double         cover_factor     = 0.; ///< part of the area with fibers [-]
+    double         cover_factor     = 0.; ///< part of the area with bundles [-]
+    /// Shear angle at which parallel bundles touch [rad].
+    double locking_angle = 0.;
     /// Warp and weft, if they have their modulus.
     std::vector<FiberBundleConstants> material;
     /// How each number was found and checked, one sentence each.
@@ -151,8 +153,9 @@ namespace NPT
    *     m = \sum_i n_i T_i (1 + c_i), \quad
    *     k = d_1 + d_2 - d_1 d_2, \quad d_i = w_i / \bar L_i @f]
    *
-   * with the areal density m and the cover factor k. The modulus along a bundle
-   * is v times that of its fibers.
+   * with the areal density m and the cover factor k. Parallel bundles that turn
+   * at a constant length touch at the shear angle g with cos g = max d_i. The
+   * modulus along a bundle is v times that of its fibers.
    *
    * Throws InputError with one sentence: which number is missing and what it
    * may follow from; which numbers disagree, with both values and the
