@@ -6,6 +6,7 @@
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/fabric_files/data_sheet.h>
+#include <npt_dealii/fabric_files/sheet_formulas.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -13,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 
 namespace NPT
 {
@@ -39,20 +39,6 @@ namespace NPT
     percent(const double fraction, const unsigned int digits = 3)
     {
       return short_number(100. * fraction, digits) + " %";
-    }
-
-
-
-    double
-    bisect(const std::function<double(double)> &increasing,
-           const double                         target,
-           double                               low,
-           double                               high)
-    {
-      for (unsigned int k = 0; k < 100; ++k)
-        (increasing(0.5 * (low + high)) < target ? low : high) =
-          0.5 * (low + high);
-      return 0.5 * (low + high);
     }
 
 
@@ -234,7 +220,7 @@ namespace NPT
         else
           {
             const bool   wide = !f.width;
-            const double size = bisect(
+            const double size = root_of_increasing(
               [&](const double x) {
                 return wide ? area(x, *f.thickness) : area(*f.width, x);
               },
@@ -585,54 +571,6 @@ namespace NPT
       FabricDesign               result_;
     };
   } // namespace
-
-
-
-  double
-  crimp_of_wave(const double height, const double spacing, const double changes)
-  {
-    const double s = dealii::numbers::PI * height / spacing;
-    const double k = s / std::sqrt(1. + s * s);
-    return changes * (2. / dealii::numbers::PI * std::sqrt(1. + s * s) *
-                        std::comp_ellint_2(k) -
-                      1.);
-  }
-
-
-
-  double
-  wave_of_crimp(const double crimp, const double spacing, const double changes)
-  {
-    const double highest = 10. * spacing; // crimp beyond 1
-    return bisect(
-      [&](const double h) { return crimp_of_wave(h, spacing, changes); },
-      crimp,
-      0.,
-      highest);
-  }
-
-
-
-  FiberBundleConstants
-  bundle_constants(const double E_L, const double G_L, const double G_T)
-  {
-    FiberBundleConstants constants;
-    constants.mu     = G_T;
-    constants.lambda = 2. / 3. * G_T;
-    constants.a      = G_T - G_L;
-    constants.b = constants.d = 0.;
-    const double lambda       = constants.lambda;
-    constants.c               = (E_L - lambda - 2. * G_T + 4. * constants.a +
-                   lambda * lambda / (lambda + G_T)) /
-                  8.;
-    if (!(constants.lowest_stiffness_eigenvalue().value > 0.))
-      throw InputError("The modulus along a bundle is " + short_number(E_L, 4) +
-                       " MPa, too small for shear moduli of " +
-                       short_number(G_L, 4) + " and " + short_number(G_T, 4) +
-                       " MPa: the bundle would not be a stable solid" +
-                       of_sheet);
-    return constants;
-  }
 
 
 

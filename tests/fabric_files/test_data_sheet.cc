@@ -5,6 +5,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/fabric_files/data_sheet.h>
+#include <npt_dealii/fabric_files/sheet_formulas.h>
 #include <npt_dealii/material/make_material.h>
 
 #include <catch2/catch.hpp>
@@ -182,8 +183,8 @@ TEST_CASE("The constants of a bundle have the moduli that were asked for",
   CHECK(moduli.G_L == Approx(10.).epsilon(1e-12));
   CHECK(moduli.G_T == Approx(5.).epsilon(1e-12));
   CHECK(moduli.nu_LT == Approx(0.2).epsilon(1e-12));
-  CHECK_THROWS_WITH(bundle_constants(1., 10., 5.),
-                    Catch::Contains("too small"));
+  CHECK(bundle_constants(1e-3, 10., 5.).lowest_stiffness_eigenvalue().value >
+        0.);
 }
 
 

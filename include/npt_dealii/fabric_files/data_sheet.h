@@ -102,42 +102,6 @@ namespace NPT
   } // namespace SheetTolerance
 
   /**
-   * Crimp of a bundle whose middle line goes from side to side as a sine wave
-   * of the given height, and is straight between crossings on the same side,
-   *
-   * @f[ c = \frac{n_{changes}}{n_{crossings}} \left( \frac{2}{\pi}
-   *         \sqrt{1 + s^2} \, E(k) - 1 \right), \quad
-   *     s = \frac{\pi h}{\bar L}, \quad k^2 = \frac{s^2}{1 + s^2} , @f]
-   *
-   * (A71), with the complete elliptic integral E of the second kind.
-   *
-   * @param height Amplitude h of the middle line [mm].
-   * @param spacing Distance Lbar between the bundles across [mm].
-   * @param changes Changes of side per crossing, 1 for the plain weave.
-   */
-  double
-  crimp_of_wave(const double height,
-                const double spacing,
-                const double changes);
-
-  /// The inverse of crimp_of_wave(): the height [mm].
-  double
-  wave_of_crimp(const double crimp, const double spacing, const double changes);
-
-  /**
-   * Constants of (51), (52) for a bundle with the given moduli [MPa] and a
-   * contraction nu_LT = .2,
-   *
-   * @f[ \mu = G_T, \quad \lambda = \tfrac23 G_T, \quad a = G_T - G_L, \quad
-   *     b = d = 0, \quad 8 c = E_L - \lambda - 2 \mu + 4 a
-   *     + \frac{\lambda^2}{\lambda + \mu} . \quad (A73) @f]
-   *
-   * Throws InputError if E_L is too small for a stable solid.
-   */
-  FiberBundleConstants
-  bundle_constants(const double E_L, const double G_L, const double G_T);
-
-  /**
    * Derive a cell and its materials from a data sheet.
    *
    * With the tex number T, the fiber density rho and the section A of a bundle
