@@ -19,6 +19,7 @@ namespace NPT
       {"--print-defaults", CommandLine::Action::print_defaults},
       {"--from-texgen", CommandLine::Action::from_texgen},
       {"--to-texgen", CommandLine::Action::to_texgen},
+      {"--from-data-sheet", CommandLine::Action::from_data_sheet},
       {"--help", CommandLine::Action::help},
       {"--version", CommandLine::Action::version}};
 
@@ -89,7 +90,8 @@ namespace NPT
               read_option(argument);
           }
         if (result_.parameter_file.empty() &&
-            result_.action != CommandLine::Action::print_defaults)
+            result_.action != CommandLine::Action::print_defaults &&
+            result_.action != CommandLine::Action::from_data_sheet)
           fail("the parameter file is missing, write npt_dealii FILE.prm");
         if (result_.continues && !action_option_.empty())
           fail("--continue and " + action_option_ +
@@ -228,6 +230,9 @@ Usage: npt_dealii FILE.prm [options]
                           file with its cell to the screen
   --to-texgen             write the cell of the file as a TexGen weave to the
                           screen
+  --from-data-sheet       FILE is a data sheet (yarns per cm, tex, ...): check
+                          it and write a parameter file to the screen; without
+                          FILE write a form to fill in
   --help                  this text
   --version               versions of this program and of deal.II
 
@@ -237,6 +242,7 @@ Examples:
   npt_dealii shear.prm --continue
   npt_dealii --print-defaults > my_test.prm
   npt_dealii --from-texgen weave.tg3 > weave.prm
+  npt_dealii --from-data-sheet fabric.sheet > fabric.prm
 
 Exit status: 0 done; 1 a stage could not be finished or a tolerance was missed,
 the results so far are complete; 2 the input cannot be used, nothing was

@@ -113,6 +113,28 @@ namespace NPT
     }
 
     void
+    read_data_sheet(const Program &program, const CommandLine &command)
+    {
+      if (!program.from_data_sheet)
+        throw InputError("Data sheets are read by npt_dealii, not by " +
+                         program.name + ".");
+      program.from_data_sheet(command.parameter_file, command.overrides);
+    }
+
+    // A data sheet where a parameter file should be.
+    void
+    refuse_data_sheet(const ParameterText &text, const std::string &file)
+    {
+      for (const ParameterText::Statement &statement : text.statements)
+        if (statement.kind == ParameterText::Kind::subsection &&
+            statement.name == "Data sheet")
+          throw InputError(file +
+                           " is a data sheet; turn it into a parameter file "
+                           "by npt_dealii --from-data-sheet " +
+                           file + " > FILE.prm.");
+    }
+
+    void
     run_problem(const Program                      &program,
                 const CommandLine                  &command,
                 char                              **argv,
@@ -123,7 +145,8 @@ namespace NPT
       const ParameterText text = command.parameter_file.empty() ?
                                    ParameterText() :
                                    read_parameter_text(command.parameter_file);
-      std::string         name = get_entry(text, command.overrides, "Problem")
+      refuse_data_sheet(text, command.parameter_file);
+      std::string name = get_entry(text, command.overrides, "Problem")
                            .value_or(program.default_problem);
       const auto &others = program.other_problems;
       if (command.action == CommandLine::Action::geometry &&
@@ -272,6 +295,8 @@ namespace NPT
         else if (command.action == CommandLine::Action::from_texgen ||
                  command.action == CommandLine::Action::to_texgen)
           exchange_with_texgen(program, command);
+        else if (command.action == CommandLine::Action::from_data_sheet)
+          read_data_sheet(program, command);
         else
           run_problem(program, command, argv, before_computing, mpi);
         return 0;

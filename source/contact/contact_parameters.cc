@@ -98,6 +98,13 @@ namespace NPT
       positive_number());
     add_parameter(
       prm,
+      "Automatic penalties",
+      automatic_penalties,
+      "Plate test: Normal penalty and Tangential penalty are both 50 times the "
+      "stiffness of the bundles, E_T / thickness, (A74) of doc/theory.md; what "
+      "the file says of them does not count then.");
+    add_parameter(
+      prm,
       "Quadrature points",
       n_quadrature_points,
       "Gauss points per knot span and direction on the secondary surface; 0 "

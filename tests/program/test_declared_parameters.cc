@@ -97,6 +97,7 @@ namespace
   /// Entries that decide which others there are; their members are those.
   const std::set<std::string> structural = {"Problem",
                                             "Load programme/Stages",
+                                            "Load programme/Further stages",
                                             "Material tests/Tests"};
 
   /// Entries that reading fills in where the file leaves it to the program.

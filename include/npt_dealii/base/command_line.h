@@ -22,13 +22,15 @@ namespace NPT
       geometry,       ///< Write the geometry of the cell, then stop.
       print_defaults, ///< Write a documented parameter file, then stop.
       from_texgen,    ///< Turn a TexGen file into a parameter file.
-      to_texgen       ///< Turn a parameter file into a TexGen file.
+      to_texgen,      ///< Turn a parameter file into a TexGen file.
+      from_data_sheet ///< Turn a data sheet into a parameter file.
     };
 
     Action      action = Action::run;
     std::string parameter_file;   ///< May be empty only for the actions help,
-                                  ///< version and print_defaults. From_texgen:
-                                  ///< the TexGen file.
+                                  ///< version, print_defaults and
+                                  ///< from_data_sheet. From_texgen: the TexGen
+                                  ///< file; from_data_sheet: the data sheet.
     std::string output_directory; ///< Empty: the one of the parameter file.
     bool continues = false; ///< Go on where a run in the same directory ended.
     std::vector<std::string> overrides; ///< "Subsection/Entry=value", in order.

@@ -33,6 +33,12 @@ namespace NPT
     std::function<void(const ParameterText            &text,
                        const std::vector<std::string> &overrides)>
       to_texgen;
+
+    /// Reads a data sheet and writes a parameter file to the screen, or a form
+    /// if the name is empty; none: the program has no such option.
+    std::function<void(const std::string              &sheet,
+                       const std::vector<std::string> &overrides)>
+      from_data_sheet;
   };
 
   /**

@@ -35,8 +35,10 @@ namespace NPT
     /// A name of Registry<NamedNormalLaw>.
     std::string normal_law = "penalty";
     /// Numbers of all normal laws by entry, see NamedNormalLaw::numbers.
-    OwnValues    normal_law_numbers;
-    double       normal_penalty      = 100.; ///< epsilon_N [N/mm^3]
+    OwnValues normal_law_numbers;
+    double    normal_penalty = 100.; ///< epsilon_N [N/mm^3]
+    /// Normal and tangential penalty follow from the bundles (A74).
+    bool         automatic_penalties = false;
     unsigned int n_quadrature_points = 0;    ///< 0: degree + 1
     double       maximum_penetration = 0.5;  ///< fraction of thickness
     double       maximum_overlap     = 0.2;  ///< fraction of thickness

@@ -174,6 +174,7 @@ namespace NPT
         EntryValue<double>::text(AccuracyParameters().cpu_limit));
     set("Contact/Method", "KTS");
     set("Contact/Enforcement", "penalty");
+    set("Contact/Automatic penalties", "false");
     set("Contact/Normal penalty", number(setting.penalty));
     set("Friction/Tangential penalty", number(setting.penalty));
     set("Mesh/Elements along", n);

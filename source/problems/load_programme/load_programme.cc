@@ -98,7 +98,10 @@ namespace NPT
                   "Stage of type relax: how much of the stress and of the "
                   "contact pressure is gone at its end [-], as in a fabric "
                   "whose weaving stresses have relaxed; 1 leaves bundles "
-                  "without stress that just touch.",
+                  "without stress that just touch. Their place is that before "
+                  "the stage, so that 1 is best reached in one step (Initial "
+                  "step and Maximum step 1); on the way bundles that little "
+                  "holds may float.",
                   Patterns::Double(0., 1.));
     steps.add_parameters(prm);
   }
@@ -293,6 +296,14 @@ namespace NPT
       "Names of the stages in their order, separated by "
       "commas. Each has its subsection Stage NAME.",
       Patterns::List(Patterns::Anything(), 1));
+    add_parameter(
+      prm,
+      "Further stages",
+      "",
+      [](const std::string &) {},
+      "Names of stages that the file describes and does not run; for other "
+      "lists of stages, as those of --set 'Load programme/Stages=...'.",
+      Patterns::List(Patterns::Anything(), 0));
     for (LoadStage &stage : stages)
       stage.add_parameters(prm);
   }

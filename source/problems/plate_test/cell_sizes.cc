@@ -83,13 +83,35 @@ namespace NPT
 
 
 
+  namespace
+  {
+    // (A74), the number in the text of the entry Automatic penalties.
+    const double automatic_ratio = 50.;
+
+    // Mean of warp and weft [mm^3/N].
+    double
+    compliance_across(const PlateTestParameters &parameters)
+    {
+      const WarpWeft &t = parameters.cell.bundle_thickness;
+      return 0.5 * (t.warp / stiffness_at_rest(parameters.material).E_T +
+                    t.weft / stiffness_at_rest(parameters.weft_material).E_T);
+    }
+  } // namespace
+
+
+
   double
   penalty_over_stiffness(const PlateTestParameters &parameters)
   {
-    const WarpWeft &t = parameters.cell.bundle_thickness;
-    return parameters.contact.normal_penalty * 0.5 *
-           (t.warp / stiffness_at_rest(parameters.material).E_T +
-            t.weft / stiffness_at_rest(parameters.weft_material).E_T);
+    return parameters.contact.normal_penalty * compliance_across(parameters);
+  }
+
+
+
+  double
+  automatic_penalty(const PlateTestParameters &parameters)
+  {
+    return automatic_ratio / compliance_across(parameters);
   }
 
 

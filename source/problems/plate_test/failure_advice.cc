@@ -113,6 +113,12 @@ namespace NPT
   {
     if (tells_its_cause(failure))
       return failure.advice();
+    const LoadStage &failed = parameters.load_programme.stages[stage];
+    if (failed.type == LoadStage::Type::relax && failed.relaxed_fraction == 1.)
+      return "set Initial step and Maximum step of stage " + failed.name +
+             " to 1: bundles without stress lie where they lay before the "
+             "stage, so that no way leads through states in which little holds "
+             "them";
     const std::string width = advice_on_width(parameters, stage, state);
     if (!width.empty())
       return width;

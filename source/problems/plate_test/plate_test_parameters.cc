@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <tuple>
 
 namespace NPT
@@ -294,6 +295,46 @@ namespace NPT
           bends ? "objective: neighboring cells turn with the bent plate" :
                   "linear: neighboring cells do not turn, because " + obstacle;
     }
+
+    // What is described and not run: Further stages, and those of an earlier
+    // list that a later one leaves out, that of --set or of a file that
+    // includes another one.
+    ParameterText
+    without_dropped_stages(const ParameterText &text, const std::string &stages)
+    {
+      const auto            kept = split_list(stages);
+      std::set<std::string> dropped;
+      visit_entries(text, [&](const std::string &path, const auto &statement) {
+        if (path == "Load programme/Stages" ||
+            path == "Load programme/Further stages")
+          for (const std::string &name : split_list(statement.value))
+            if (std::count(kept.begin(), kept.end(), name) == 0)
+              dropped.insert("Stage " + name);
+      });
+      using Kind = ParameterText::Kind;
+      ParameterText            result;
+      std::vector<std::string> path;
+      std::size_t              depth_of_dropped = 0; // none
+      for (const auto &statement : text.statements)
+        {
+          if (statement.kind == Kind::subsection)
+            {
+              path.push_back(statement.name);
+              if (depth_of_dropped == 0 && path.size() == 2 &&
+                  path[0] == "Load programme" && dropped.count(path[1]) > 0)
+                depth_of_dropped = path.size();
+            }
+          if (depth_of_dropped == 0)
+            result.statements.push_back(statement);
+          if (statement.kind == Kind::end)
+            {
+              if (path.size() == depth_of_dropped)
+                depth_of_dropped = 0;
+              path.pop_back();
+            }
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -367,11 +408,12 @@ namespace NPT
   {
     PlateTestParameters parameters;
     // The names of the stages decide what else there is to declare.
-    parameters.load_programme = LoadProgramme(
-      get_entry(text, overrides, "Load programme/Stages").value_or(""));
+    const std::string stages =
+      get_entry(text, overrides, "Load programme/Stages").value_or("");
+    parameters.load_programme = LoadProgramme(stages);
     dealii::ParameterHandler prm;
     parameters.add_parameters(prm);
-    parse_parameter_text(prm, text, overrides);
+    parse_parameter_text(prm, without_dropped_stages(text, stages), overrides);
     parameters.complete();
     parameters.used_file = documented_parameters(prm);
     return parameters;
@@ -427,6 +469,9 @@ namespace NPT
                               CellParameters::SideContact::on;
       }
     contact.set_thickness(cell.bundle_thickness.smaller());
+    if (contact.automatic_penalties)
+      contact.normal_penalty = friction.tangential_penalty =
+        automatic_penalty(*this);
     check_modes(*this);
     settle_smooth_closure(*this);
     settle_jumps(*this);

@@ -226,6 +226,11 @@ namespace NPT
                        "and needs a positive one (subsections Benchmark and "
                        "Friction).");
 
+    if (parameters.contact.automatic_penalties)
+      throw InputError("Automatic penalties is true, but only a plate test has "
+                       "bundles that they follow from; set Normal penalty and "
+                       "Tangential penalty instead (subsection Contact).");
+
     parameters.used_file = documented_parameters(prm);
     return parameters;
   }

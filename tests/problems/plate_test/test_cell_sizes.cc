@@ -168,3 +168,24 @@ TEST_CASE("Where ellipticity is lost nobody is sent after shorter steps",
              Contains("lower the target") && Contains("ellipticity") &&
                !Contains("Minimum step"));
 }
+
+
+
+TEST_CASE("Automatic penalties are 50 times the stiffness of the bundles and "
+          "scale with units",
+          "[top]")
+{
+  const auto automatic = [](std::vector<std::string> more) {
+    more.push_back("Contact/Automatic penalties=true");
+    return read(more);
+  };
+  const PlateTestParameters p = automatic({"Contact/Normal penalty=7"});
+  CHECK(penalty_over_stiffness(p) == Approx(50.).epsilon(1e-12));
+  CHECK(p.friction.tangential_penalty == p.contact.normal_penalty);
+  const PlateTestParameters thin =
+    automatic({"Cell/Bundle thickness=0.6, 0.3"});
+  CHECK(penalty_over_stiffness(thin) == Approx(50.).epsilon(1e-12));
+  CHECK(thin.contact.normal_penalty / p.contact.normal_penalty ==
+        Approx(1.2 / 0.45).epsilon(1e-12));
+  CHECK(read({}).contact.normal_penalty == 100.);
+}

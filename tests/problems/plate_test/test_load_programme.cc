@@ -4,6 +4,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/problems/load_programme/load_programme.h>
+#include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 
 #include <catch2/catch.hpp>
 
@@ -169,4 +170,35 @@ TEST_CASE("No two stages share the names of their files", "[solver]")
   CHECK(program.file_name("Load _") == "Load___3");
   CHECK(program.file_name("load -") == "load_-");
   CHECK(program.file_name("load __2") == "load___2_2");
+}
+
+
+
+TEST_CASE(
+  "A later list of stages leaves out stages with their subsections, and "
+  "misspelt ones are still refused",
+  "[solver]")
+{
+  const std::string file = "subsection Load programme\n"
+                           "set Stages = weave, release, pull, shear\n" +
+                           stage("pull", "set Targets = n1: 0.1") +
+                           stage("shear", "set Targets = H3: 0.3") + "end\n";
+  const auto later = [](const std::string &text, const std::string &stages) {
+    return PlateTestParameters::read(make_parameter_text(text, "file.prm"),
+                                     {"Load programme/Stages=" + stages})
+      .load_programme.stages;
+  };
+  const auto kept = later(file, "weave, release, shear");
+  REQUIRE(kept.size() == 3);
+  CHECK(kept[2].H_targets.at(2) == 0.3);
+  CHECK(later(file, "weave, release, pull").size() == 3);
+  CHECK(later("subsection Load programme\nset Stages = weave, release, shear\n"
+              "set Further stages = pull\n" +
+                stage("pull", "set Targets = n1: 0.1") + "end\n",
+              "weave, release, pull")
+          .size() == 3);
+  CHECK_THROWS_AS(later(file + "subsection Load programme\n" +
+                          stage("pul", "set Targets = n1: 1") + "end\n",
+                        "weave, release, shear"),
+                  InputError);
 }

@@ -115,6 +115,32 @@ TEST_CASE("What relaxes is dissipated", "[top]")
 
 
 
+TEST_CASE("A full relaxation in one step moves nothing, dissipates what the "
+          "energies lose, and is loaded from there",
+          "[top]")
+{
+  // A weave without glide planes, held by contact alone.
+  const Run       run("weave, release, relax, pull",
+                "1",
+                "1",
+                {"Cell/Weave=2/1 twill",
+                       "Cell/Two-fold axis=false",
+                       "Mesh/Elements through=1",
+                       "Contact/Method=KTS",
+                       "Load programme/Stage pull/Targets=n1: 0.01, n2: 0.01",
+                       "Load programme/Stage pull/Initial step=0.5",
+                       "Load programme/Stage pull/Maximum step=0.5"});
+  const CurveRow &woven = run.end("release"), &relaxed = run.end("relax");
+  CHECK(relaxed.load_factor == 1.);
+  CHECK(std::abs(relaxed.n[0]) < 1e-7 * woven.n[0]);
+  CHECK(relaxed.dissipation - woven.dissipation ==
+        Approx(run.energy(woven) - run.energy(relaxed)).epsilon(1e-8));
+  CHECK(run.end("pull").n[0] == Approx(0.01).epsilon(1e-6));
+  CHECK(run.end("pull").H[0] > relaxed.H[0]);
+}
+
+
+
 TEST_CASE("A relaxed cell resists shear less, and its resultant is the "
           "derivative of its energy without friction",
           "[top]")

@@ -41,6 +41,13 @@ namespace NPT
   double
   penalty_over_stiffness(const PlateTestParameters &parameters);
 
+  /**
+   * The penalty that penalty_over_stiffness() calls 50 [N/mm^3], (A74): bundles
+   * under a pressure are pressed in by a fiftieth of what they are compressed.
+   */
+  double
+  automatic_penalty(const PlateTestParameters &parameters);
+
   /// Names and values for the head of the log.
   std::vector<std::pair<std::string, std::string>>
   describe_sizes(const PlateCell &cell, const PlateTestParameters &parameters);

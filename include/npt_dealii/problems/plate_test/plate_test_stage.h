@@ -165,9 +165,9 @@ namespace NPT
     double
     relaxed_fraction(const double load_factor) const;
     double
-    relaxation_rate(const dealii::Vector<double>            &u,
-                    const std::vector<ContactEvaluation<3>> &contact,
-                    const double                             fraction) const;
+    relaxation_rate(const std::vector<ContactEvaluation<3>> &contact) const;
+    void
+    add_relaxation(const State &before, const Trial &trial, State &state) const;
     void
     begin_relaxation();
     // What the release has left of the foundation.
