@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Weaves in the XML files of TexGen.
 
+#include <npt_dealii/base/describe_pattern.h>
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/message_words.h>
 #include <npt_dealii/base/short_number.h>
+#include <npt_dealii/base/text_file.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/fabric_files/texgen.h>
+#include <npt_dealii/fabric_files/xml_depth.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -26,7 +30,8 @@ namespace NPT
 
     // Thin enough for the areas of TexGen, whose edges are sharp; sections that
     // are steep at their edges need more.
-    const double thinnest_blunt_tip = 0.01, step_of_blunt_tip = 0.01;
+    const double       thinnest_blunt_tip = 0.01, step_of_blunt_tip = 0.01;
+    const unsigned int max_depth = 100; // of its elements
     // Between face and edge [degrees]; at 75 the cells count as degenerate.
     const double steepest_edge = 72.;
 
@@ -68,11 +73,21 @@ namespace NPT
       read()
       {
         Tree tree;
-        if (!std::filesystem::is_regular_file(file_))
-          refuse("there is no such file");
+        if (const std::string obstacle = obstacle_to_file(file_);
+            !obstacle.empty())
+          refuse("it cannot be read: " + obstacle);
+        if (!std::filesystem::exists(file_))
+          refuse("there is no such file" + home_folder_hint(file_));
+        if (std::filesystem::is_directory(file_))
+          refuse("it is a directory");
+        std::istringstream in(
+          read_text_file(file_, "The TexGen file " + file_));
+        if (const unsigned int depth = xml_depth(in.str()); depth > max_depth)
+          refuse("it has elements within " + std::to_string(depth) +
+                 " others, which no weave has");
         try
           {
-            boost::property_tree::read_xml(file_, tree);
+            boost::property_tree::read_xml(in, tree);
           }
         catch (const boost::property_tree::xml_parser_error &error)
           {
@@ -142,7 +157,11 @@ namespace NPT
         char        *end    = nullptr;
         const double result = std::strtod(value.c_str(), &end);
         if (value.empty() || *end != '\0' || !std::isfinite(result))
-          refuse(where + " is '" + value + "', which is no number");
+          refuse(where + " is " + in_quotes(value) + ", which is no number");
+        if (const std::string fault = number_beyond_doubles(value);
+            !fault.empty())
+          refuse(where + " is a number that " +
+                 fault.substr(fault.find(" is ") + 1));
         return result;
       }
 
