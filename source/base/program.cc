@@ -346,7 +346,8 @@ namespace NPT
       }
     catch (const InputError &error)
       {
-        return failure.end_all(error.what(), 2);
+        // One line, also if the input has more where it should have a name.
+        return failure.end_all(printable(error.what()), 2);
       }
     catch (const OutputError &error)
       {

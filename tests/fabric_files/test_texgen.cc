@@ -314,7 +314,14 @@ TEST_CASE("A file that is no weave is refused, however deep or long it is",
   CHECK(xml_depth("<?a <b> ?><!-- <c><d> --><e f=\"<g>\"><h/><i></i></e>") ==
         2);
   CHECK(xml_depth("<![CDATA[<a><b>]]><!DOCTYPE c><d") == 1);
-  // Old line ends and tiny numbers.
+  // A name that is a text stays a part of the sentence.
+  CHECK_THAT(complaint(weave({"ou", "uo"},
+                             "",
+                             [](std::string &content) {
+                               replace(content, "CTextileWeave2D", "a\nb");
+                             })),
+             Catch::Contains("its textile is a a?b, and only"));
+  // Tiny and huge numbers.
   CHECK_THAT(complaint(
                weave({"ou", "uo"},
                      "",
