@@ -4,6 +4,7 @@
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/base/text_file.h>
 
 #include <deal.II/base/config.h>
 
@@ -151,6 +152,8 @@ namespace NPT
       {
         if (directory.empty())
           fail("--output needs the name of a directory");
+        if (const std::string hint = home_folder_hint(directory); !hint.empty())
+          fail("--output is '" + directory + "'" + hint);
         if (!result_.output_directory.empty())
           fail("--output is given twice, '" + result_.output_directory +
                "' and '" + directory + "'");

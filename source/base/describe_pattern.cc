@@ -11,6 +11,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -115,6 +116,76 @@ namespace NPT
       return "any number of values";
     }
 
+    /// The separator itself, without quotes.
+    std::string
+    separator_in(const std::string &text, const std::size_t start)
+    {
+      const std::string quoted = separator_of(text, start, ",");
+      return quoted.size() == 3 ? quoted.substr(1, 1) : ",";
+    }
+
+    bool
+    matches(const std::string &value, const std::string &pattern)
+    {
+      return dealii::Patterns::pattern_factory(pattern)->match(value);
+    }
+
+    // Of names like H1 to H6 all are as near to H7.
+    std::string
+    only_nearest(const std::string &name, const std::vector<std::string> &names)
+    {
+      const auto nearest = nearest_names(name, names, 2);
+      if (nearest.empty() ||
+          (nearest.size() == 2 &&
+           edit_distance(name, nearest[0]) == edit_distance(name, nearest[1])))
+        return "";
+      return "; did you mean " + in_quotes(nearest[0]) + "?";
+    }
+
+    /// For the first of several values that does not match.
+    std::string
+    suggestion_for_list(const std::string &value, const std::string &pattern)
+    {
+      std::size_t       pos       = 0;
+      const std::string inner     = text_in_angles(pattern, pos);
+      const std::string separator = separator_in(pattern, pos);
+      for (const std::string &part :
+           dealii::Utilities::split_string_list(value, separator))
+        if (!matches(part, inner))
+          return suggestion_for_value(part, inner);
+      return "";
+    }
+
+    /// The same for pairs 'key:value'.
+    std::string
+    suggestion_for_map(const std::string &value, const std::string &pattern)
+    {
+      std::size_t       pos           = 0;
+      const std::string key_pattern   = text_in_angles(pattern, pos);
+      const std::string value_pattern = text_in_angles(pattern, pos);
+      const std::string separator     = separator_in(pattern, pos);
+      std::string       before; // what was right so far
+      for (const std::string &part :
+           dealii::Utilities::split_string_list(value, separator))
+        {
+          const auto pair = dealii::Utilities::split_string_list(part, ':');
+          if (pair.size() != 2)
+            {
+              // "H3: 0,2": the comma of the number ends the pair.
+              const std::string mended = before + "." + part;
+              return !before.empty() && matches(mended, pattern) ?
+                       "; did you mean " + in_quotes(mended) + "?" :
+                       "";
+            }
+          if (!matches(pair[0], key_pattern))
+            return only_nearest(pair[0], choices_of(key_pattern));
+          if (!matches(pair[1], value_pattern))
+            return suggestion_for_value(pair[1], value_pattern);
+          before += (before.empty() ? "" : separator + " ") + part;
+        }
+      return "";
+    }
+
     /// "a number in [0, 1]" from the bounds as deal.II writes them.
     std::string
     describe_range(const std::string &noun,
@@ -203,6 +274,10 @@ namespace NPT
   std::string
   suggestion_for_value(const std::string &value, const std::string &pattern)
   {
+    if (pattern.compare(0, 5, "[List") == 0)
+      return suggestion_for_list(value, pattern);
+    if (pattern.compare(0, 4, "[Map") == 0)
+      return suggestion_for_map(value, pattern);
     const auto choices = choices_of(pattern);
     if (!choices.empty())
       {
@@ -240,8 +315,7 @@ namespace NPT
             x == std::floor(x))
           number = std::to_string(static_cast<long>(x));
       }
-    if (number != value &&
-        dealii::Patterns::pattern_factory(pattern)->match(number))
+    if (number != value && matches(number, pattern))
       return "; did you mean " + in_quotes(number) + "?";
 
     // Words like nan and inf are read by other programs, so say it.
@@ -250,5 +324,30 @@ namespace NPT
     if (word == "nan" || word == "inf" || word == "infinity")
       return "; nan and inf are not accepted";
     return pasted_character_hint(value);
+  }
+
+
+
+  std::string
+  number_beyond_doubles(const std::string &value)
+  {
+    std::istringstream words(value);
+    for (std::string list; words >> list;)
+      {
+        std::replace(list.begin(), list.end(), ':', ',');
+        for (const std::string &word :
+             dealii::Utilities::split_string_list(list, ','))
+          {
+            char *end      = nullptr;
+            errno          = 0;
+            const double x = std::strtod(word.c_str(), &end);
+            if (errno == ERANGE && *end == '\0')
+              return in_quotes(word) +
+                     (std::abs(x) > 1. ?
+                        " is larger than all numbers of a computer (1.8e308)" :
+                        " is too close to 0 for a computer (2.3e-308)");
+          }
+      }
+    return "";
   }
 } // namespace NPT

@@ -31,9 +31,24 @@ namespace NPT
 
 
   std::string
+  printable(std::string text)
+  {
+    for (char &c : text)
+      if (static_cast<unsigned char>(c) < ' ' || c == '\x7F')
+        c = '?';
+    return text;
+  }
+
+
+
+  std::string
   in_quotes(const std::string &text)
   {
-    return "'" + text + "'";
+    // Nobody reads more of a line that should have been many.
+    constexpr std::size_t longest = 500;
+    if (text.size() > longest)
+      return "'" + printable(text.substr(0, longest)) + "...'";
+    return "'" + printable(text) + "'";
   }
 
 

@@ -41,7 +41,8 @@ namespace NPT
                 const std::vector<std::string> &candidates,
                 const unsigned int              max_names)
   {
-    if (name.empty())
+    // What is so long is no misspelt name, and takes long to compare.
+    if (name.empty() || name.size() > 200)
       return {};
 
     const std::size_t max_distance = 1 + name.size() / 4;
@@ -79,7 +80,13 @@ namespace NPT
   did_you_mean(const std::string              &name,
                const std::vector<std::string> &candidates)
   {
-    const auto nearest = nearest_names(name, candidates);
+    auto nearest = nearest_names(name, candidates);
+    // "twill 2/2" for "2/2 twill".
+    if (const auto blank = name.find(' ');
+        nearest.empty() && blank != std::string::npos)
+      nearest =
+        nearest_names(name.substr(blank + 1) + " " + name.substr(0, blank),
+                      candidates);
     return nearest.empty() ? "" :
                              "; did you mean " + in_quotes(nearest[0]) + "?";
   }

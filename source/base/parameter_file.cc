@@ -8,6 +8,7 @@
 #include <npt_dealii/base/message_words.h>
 #include <npt_dealii/base/nearest_name.h>
 #include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/base/text_file.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
@@ -165,6 +166,28 @@ namespace NPT
 
 
     // ---- Values ------------------------------------------------------------
+
+    // What deal.II's patterns let through although it cannot be used; empty: it
+    // can. The patterns read 1e-400 as 0, the conversion behind them fails.
+    std::string
+    fault_of(const std::string &value, const std::string &pattern)
+    {
+      if (pattern.compare(0, 14, "[DirectoryName") == 0)
+        {
+          if (value.empty())
+            return "empty; it must be the name of a directory, '.' is the "
+                   "present one";
+          const std::string hint = home_folder_hint(value);
+          return hint.empty() ? "" : in_quotes(value) + hint;
+        }
+      if (pattern.find("[Double") == std::string::npos)
+        return "";
+      const std::string fault = number_beyond_doubles(value);
+      return fault.empty() ? "" :
+                             in_quotes(value) + "; it must be " +
+                               describe_pattern(pattern) + "; " + fault;
+    }
+
     // deal.II sets the value or refuses it. Its own test decides, because the
     // description of a pattern has bounds rounded to six digits. What an entry
     // finds wrong itself gets its place as well.
@@ -175,6 +198,12 @@ namespace NPT
               const std::string        &value,
               const std::string        &where)
     {
+      const std::string place =
+        "entry " + in_quotes(entry.name) + in_subsection(path) + " is ";
+      if (const std::string fault = fault_of(value, entry.pattern);
+          !fault.empty())
+        throw InputError(where + place + fault);
+
       for (const std::string &subsection : path)
         prm.enter_subsection(subsection);
       std::string message;
@@ -184,8 +213,7 @@ namespace NPT
         }
       catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
         {
-          message = "entry " + in_quotes(entry.name) + in_subsection(path) +
-                    " is " + (value.empty() ? "empty" : in_quotes(value)) +
+          message = place + (value.empty() ? "empty" : in_quotes(value)) +
                     "; it must be " + describe_pattern(entry.pattern) +
                     suggestion_for_value(value, entry.pattern);
         }

@@ -6,10 +6,10 @@
 #include <npt_dealii/base/message_words.h>
 #include <npt_dealii/base/nearest_name.h>
 #include <npt_dealii/base/parameter_text.h>
+#include <npt_dealii/base/text_file.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace NPT
@@ -34,12 +34,17 @@ namespace NPT
       return names;
     }
 
-    std::string
-    read_file(const fs::path &path, const std::string &where)
+    // Throws InputError if a file is not there or is a directory.
+    void
+    check_file(const fs::path &path, const std::string &where)
     {
       const std::string name = in_quotes(path.string());
       std::error_code   error;
 
+      if (const std::string obstacle = obstacle_to_file(path.string());
+          !obstacle.empty())
+        throw InputError(where + "file " + name +
+                         " cannot be read: " + obstacle);
       if (fs::is_directory(path, error))
         {
           const auto names = parameter_files_in(path);
@@ -48,44 +53,62 @@ namespace NPT
                            (names.empty() ? "; it contains no .prm file" :
                                             "; it contains: " + listed(names)));
         }
-      if (!fs::exists(path, error))
-        {
-          const fs::path folder =
-            path.has_parent_path() ? path.parent_path() : fs::path(".");
-          if (!fs::is_directory(folder, error))
-            throw InputError(where + "file " + name +
-                             " not found: there is no folder " +
-                             in_quotes(folder.string()));
-
-          const auto  names = parameter_files_in(folder);
-          std::string hint  = did_you_mean(path.filename().string(), names);
-          if (hint.empty())
-            hint = names.empty() ? "; that folder contains no .prm file" :
-                                   "; that folder contains: " + listed(names);
-          throw InputError(where + "file " + name + " not found" + hint);
-        }
-
-      std::ifstream     in(path, std::ios::binary);
-      std::stringstream content;
-      if (in)
-        content << in.rdbuf();
-      if (!in || in.bad())
+      if (fs::exists(path, error))
+        return;
+      if (const std::string hint = home_folder_hint(path.string());
+          !hint.empty())
+        throw InputError(where + "file " + name + " not found" + hint);
+      const fs::path folder =
+        path.has_parent_path() ? path.parent_path() : fs::path(".");
+      if (!fs::is_directory(folder, error))
         throw InputError(where + "file " + name +
-                         " cannot be read; check its permissions");
-      return content.str();
+                         " not found: there is no folder " +
+                         in_quotes(folder.string()));
+
+      const auto  names = parameter_files_in(folder);
+      std::string hint  = did_you_mean(path.filename().string(), names);
+      if (hint.empty())
+        hint = names.empty() ? "; that folder contains no .prm file" :
+                               "; that folder contains: " + listed(names);
+      throw InputError(where + "file " + name + " not found" + hint);
     }
 
     struct OpenFile
     {
       std::string name;     // for messages
       fs::path    identity; // tells whether two names are the same file
+      fs::path    folder;   // of the files that it includes
     };
 
+    // The files that are being read, each included by the one before it.
+    struct OpenFiles
+    {
+      std::vector<OpenFile> chain;
+      // Of all files so far: ten that include each other's successors twice
+      // are a thousand.
+      unsigned int n_files = 0;
+      std::size_t  size    = 0;
+    };
+
+    constexpr unsigned int max_files = 1000;
+    constexpr std::size_t  max_depth = 50; // of subsections in a file
+
+    OpenFile
+    open_file(const fs::path &path)
+    {
+      std::error_code error;
+      const fs::path  identity = fs::weakly_canonical(path, error);
+      // A pipe lies in no folder.
+      return {path.string(),
+              error ? path : identity,
+              is_stream(path.string()) ? fs::path() : path.parent_path()};
+    }
+
     void
-    append_file(const std::string     &where,
-                const fs::path        &path,
-                std::vector<OpenFile> &open_files,
-                ParameterText         &text);
+    append_file(const std::string &where,
+                const fs::path    &path,
+                OpenFiles         &open_files,
+                ParameterText     &text);
 
     bool
     starts_with_keyword(const std::string &line,
@@ -108,6 +131,20 @@ namespace NPT
              ", a line begins with set, subsection, end or include" + hint;
     }
 
+    /// Whether a line, blanks at both ends gone, is a statement by itself.
+    bool
+    is_statement(std::string line)
+    {
+      line.erase(std::min(line.find('#'), line.size()));
+      std::replace(line.begin(), line.end(), '\t', ' ');
+      line = trim(line);
+      return line == "end" || line == "END" ||
+             starts_with_keyword(line, "subsection ", "SUBSECTION ") ||
+             starts_with_keyword(line, "include ", "INCLUDE ") ||
+             (starts_with_keyword(line, "set ", "SET ") &&
+              line.find('=') != std::string::npos);
+    }
+
     /**
      * Reads the lines of one file into statements. deal.II's own reader sets
      * values at once, so that it could not tell which entries to declare, and
@@ -116,28 +153,23 @@ namespace NPT
      * The rules are those of ParameterHandler::parse_input() and scan_line() in
      * deal.II 9.4.1, including the two surprising ones: a comment that ends in
      * a backslash goes on in the next line, and blanks before a backslash stay.
-     * Other programs must read our files alike.
+     * Other programs must read our files alike. What would make a statement a
+     * part of the line before it (a folder C:\results\) is refused.
      */
     class StatementReader
     {
     public:
-      StatementReader(std::vector<OpenFile> &open_files, ParameterText &text)
+      StatementReader(OpenFiles &open_files, ParameterText &text)
         : open_files_(open_files)
-        , file_(open_files.back().name)
+        , file_(open_files.chain.back().name)
+        , folder_(open_files.chain.back().folder)
         , text_(text)
       {}
 
       void
       read(const std::string &content)
       {
-        if (content.find('\0') != std::string::npos)
-          throw InputError("file " + in_quotes(file_) +
-                           " is not plain text, save it in UTF-8 encoding");
-
-        // Some editors begin a UTF-8 file with a mark that nobody sees.
-        const bool has_mark = content.compare(0, 3, "\xEF\xBB\xBF") == 0;
-
-        std::istringstream in(has_mark ? content.substr(3) : content);
+        std::istringstream in(content);
         std::string        physical_line, logical_line;
         unsigned int       n_lines = 0, first_line = 0;
         bool               continued = false;
@@ -147,6 +179,12 @@ namespace NPT
             if (!continued)
               first_line = n_lines;
             physical_line = trim(physical_line);
+            if (continued && is_statement(physical_line))
+              throw InputError(at_line(file_, n_lines - 1) +
+                               "the backslash at the end of the line makes " +
+                               in_quotes(physical_line) +
+                               " in the next one a part of it; remove the "
+                               "backslash");
             continued = !physical_line.empty() && physical_line.back() == '\\';
             if (continued)
               physical_line.pop_back();
@@ -177,6 +215,10 @@ namespace NPT
         if (starts_with_keyword(line, "subsection ", "SUBSECTION "))
           {
             const std::string name = trim(line.substr(11));
+            if (open_subsections_.size() == max_depth)
+              throw InputError(where + "subsection " + in_quotes(name) +
+                               " lies within " + std::to_string(max_depth) +
+                               " others, an 'end' is missing");
             open_subsections_.push_back({name, line_number});
             text_.statements.push_back(
               {Kind::subsection, name, "", file_, line_number});
@@ -192,18 +234,23 @@ namespace NPT
                  line == "SET")
           add_setting(where, line, line_number);
         else if (starts_with_keyword(line, "include ", "INCLUDE "))
-          {
-            const fs::path folder = fs::path(file_).parent_path();
-            append_file(where,
-                        (folder / trim(line.substr(8))).lexically_normal(),
-                        open_files_,
-                        text_);
-          }
+          append_file(where,
+                      included(trim(line.substr(8))),
+                      open_files_,
+                      text_);
         else if (line == "include" || line == "INCLUDE")
           throw InputError(where + "'include' without the name of a file");
         else
           throw InputError(where + unrecognized_line(line) +
                            pasted_character_hint(line));
+      }
+
+      fs::path
+      included(const std::string &name) const
+      {
+        return home_folder_hint(name).empty() ?
+                 (folder_ / name).lexically_normal() :
+                 fs::path(name);
       }
 
       void
@@ -259,24 +306,25 @@ namespace NPT
         unsigned int line;
       };
 
-      std::vector<OpenFile> &open_files_;
-      const std::string      file_;
-      ParameterText         &text_;
-      std::vector<Open>      open_subsections_;
+      OpenFiles        &open_files_;
+      const std::string file_;
+      const fs::path    folder_;
+      ParameterText    &text_;
+      std::vector<Open> open_subsections_;
     };
 
     void
-    append_file(const std::string     &where,
-                const fs::path        &path,
-                std::vector<OpenFile> &open_files,
-                ParameterText         &text)
+    append_file(const std::string &where,
+                const fs::path    &path,
+                OpenFiles         &open_files,
+                ParameterText     &text)
     {
-      const std::string content = read_file(path, where);
-      OpenFile          file{path.string(), fs::weakly_canonical(path)};
+      check_file(path, where);
+      const OpenFile file = open_file(path);
 
       std::vector<std::string> chain;
       bool                     is_cycle = false;
-      for (const OpenFile &open : open_files)
+      for (const OpenFile &open : open_files.chain)
         {
           is_cycle = is_cycle || open.identity == file.identity;
           if (is_cycle)
@@ -289,9 +337,19 @@ namespace NPT
             where + "a file cannot include itself: " + joined(chain, " -> "));
         }
 
-      open_files.push_back(file);
+      const std::string content =
+        read_text_file(file.name, where + "file " + in_quotes(file.name));
+      open_files.size += content.size();
+      if (++open_files.n_files > max_files ||
+          open_files.size > largest_text_file)
+        throw InputError(where + "file " + in_quotes(file.name) +
+                         " is too much: files are included " +
+                         std::to_string(open_files.n_files) + " times, with " +
+                         std::to_string(open_files.size >> 20) +
+                         " MB; include each one once");
+      open_files.chain.push_back(file);
       StatementReader(open_files, text).read(content);
-      open_files.pop_back();
+      open_files.chain.pop_back();
     }
   } // namespace
 
@@ -302,8 +360,8 @@ namespace NPT
   {
     if (filename.empty())
       throw InputError("the name of the parameter file is empty");
-    ParameterText         text;
-    std::vector<OpenFile> open_files;
+    ParameterText text;
+    OpenFiles     open_files;
     append_file("", filename, open_files, text);
     return text;
   }
@@ -313,10 +371,10 @@ namespace NPT
   ParameterText
   make_parameter_text(const std::string &content, const std::string &filename)
   {
-    ParameterText         text;
-    std::vector<OpenFile> open_files{
-      {filename, fs::weakly_canonical(filename)}};
-    StatementReader(open_files, text).read(content);
+    ParameterText text;
+    OpenFiles     open_files;
+    open_files.chain.push_back(open_file(filename));
+    StatementReader(open_files, text).read(with_plain_lines(content));
     return text;
   }
 } // namespace NPT

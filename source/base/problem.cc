@@ -23,9 +23,11 @@ namespace NPT
       {
         std::error_code error;
         std::filesystem::create_directories(directory, error);
-        if (!std::filesystem::is_directory(directory))
-          obstacle = "The output directory '" + directory +
-                     "' cannot be created: " + error.message() + ".";
+        std::error_code other; // may say no more than that it is not known
+        if (!std::filesystem::is_directory(directory, other))
+          obstacle =
+            "The output directory '" + directory +
+            "' cannot be created: " + (error ? error : other).message() + ".";
       }
     obstacle = ranks.broadcast(obstacle);
     if (!obstacle.empty())

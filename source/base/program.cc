@@ -4,23 +4,29 @@
 #include <npt_dealii/base/command_line.h>
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/interruption.h>
+#include <npt_dealii/base/message_words.h>
 #include <npt_dealii/base/mpi_session.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/base/problem.h>
 #include <npt_dealii/base/problem_names.h>
 #include <npt_dealii/base/program.h>
+#include <npt_dealii/base/text_file.h>
 
 #include <deal.II/base/multithread_info.h>
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <optional>
 #include <thread>
 
 namespace NPT
@@ -48,12 +54,65 @@ namespace NPT
                        did_you_mean(problem, valid));
     }
 
+    // A pipe is empty for whom reads it next: he gets a copy in memory.
+    std::string
+    copy_of_stream(const std::string &content)
+    {
+      const int file = memfd_create("parameters", 0);
+      for (std::size_t done = 0; done < content.size();)
+        {
+          const ssize_t n =
+            write(file, content.data() + done, content.size() - done);
+          if (n < 0)
+            throw InputError(std::string("the parameter file cannot be handed "
+                                         "on: ") +
+                             std::strerror(errno));
+          done += n;
+        }
+      return "/dev/fd/" + std::to_string(file);
+    }
+
+    /// The parameter file as it is read, once.
+    struct ParameterSource
+    {
+      ParameterText              text;
+      std::optional<std::string> content; ///< of a pipe
+    };
+
+    ParameterSource
+    read_parameters(const std::string &file)
+    {
+      if (file.empty())
+        return {};
+      if (!is_stream(file))
+        return {read_parameter_text(file), {}};
+      const unsigned int n_processes = Launcher::of_this_process().n_processes;
+      if (n_processes > 1)
+        throw InputError("'" + file +
+                         "' is no file but a stream, which only "
+                         "one of the " +
+                         std::to_string(n_processes) +
+                         " processes can read; write it to a file first");
+      const std::string content = read_text_file(file, "file '" + file + "'");
+      return {make_parameter_text(content, file), content};
+    }
+
     /// Start the program that stands beside this one, with the same arguments.
     [[noreturn]] void
-    start_beside(const Program     &program,
-                 const std::string &problem,
-                 char             **argv)
+    start_beside(const Program         &program,
+                 const std::string     &problem,
+                 const std::string     &parameter_file,
+                 const ParameterSource &source,
+                 char                 **argv)
     {
+      std::string file;
+      if (source.content)
+        {
+          file = copy_of_stream(*source.content);
+          for (char **argument = argv + 1; *argument != nullptr; ++argument)
+            if (*argument == parameter_file)
+              *argument = file.data();
+        }
       std::error_code             error;
       const std::filesystem::path own =
         std::filesystem::read_symlink("/proc/self/exe", error);
@@ -142,9 +201,8 @@ namespace NPT
                 std::unique_ptr<MPISession>        &mpi)
     {
       // Which problem it is decides which entries there are.
-      const ParameterText text = command.parameter_file.empty() ?
-                                   ParameterText() :
-                                   read_parameter_text(command.parameter_file);
+      const ParameterSource source = read_parameters(command.parameter_file);
+      const ParameterText  &text   = source.text;
       refuse_data_sheet(text, command.parameter_file);
       std::string name = get_entry(text, command.overrides, "Problem")
                            .value_or(program.default_problem);
@@ -165,7 +223,7 @@ namespace NPT
                          "study, but Problem is " +
                          name + "; start it without this option.");
       if (is_of_other)
-        start_beside(program, name, argv);
+        start_beside(program, name, command.parameter_file, source, argv);
       if (!Registry<Problem>::instance().contains(name) ||
           !Registry<Problem>::instance().get(name).is_listed)
         refuse_problem(program, name);
@@ -252,8 +310,16 @@ namespace NPT
       }
 
       void
-      say(const std::string &sentence)
+      say(std::string sentence)
       {
+        // What a file has in its values must not steer the screen, nor fill
+        // it.
+        for (char &c : sentence)
+          if (c != '\n')
+            c = printable(std::string(1, c))[0];
+        constexpr std::size_t longest = 3000;
+        if (sentence.size() > longest)
+          sentence.replace(longest / 2, sentence.size() - longest, " ... ");
         screen_ << program_.name << ": " << sentence << std::endl;
       }
 
@@ -271,8 +337,10 @@ namespace NPT
               char                              **argv,
               const std::function<void(char **)> &before_computing)
   {
-    // A reader of the screen who leaves (`| head`) does not end the run.
+    // A reader of the screen who leaves (`| head`) does not end the run, and a
+    // file that may not grow any more is an error like a full disk.
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     std::unique_ptr<MPISession> mpi; // if it turns out to be needed
     Failure                     failure(program, mpi);
     try
@@ -303,7 +371,8 @@ namespace NPT
       }
     catch (const InputError &error)
       {
-        return failure.end_all(error.what(), 2);
+        // One line, also if the input has more where it should have a name.
+        return failure.end_all(printable(error.what()), 2);
       }
     catch (const OutputError &error)
       {

@@ -9,6 +9,7 @@
 #include <npt_dealii/fabric/named_weave.h>
 #include <npt_dealii/fabric/section_shape.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -237,7 +238,16 @@ namespace NPT
       const double       w = section.width, t = section.thickness;
       const std::string  of_whose = whose.empty() ? "" : "of " + whose;
       std::ostringstream message;
-      if (w >= spacing)
+      const double       smallest = std::min({w, t, spacing}),
+                   largest        = std::max({w, t, spacing});
+      // Volumes and their derivatives are products of many lengths.
+      if (smallest < 1e-20 || largest > 1e20)
+        message
+          << "A size of the cell " << of_whose << "is "
+          << (smallest < 1e-20 ? smallest : largest)
+          << " mm; widths, thicknesses and spacings must be between 1e-20 "
+             "and 1e20 mm";
+      else if (w >= spacing)
         message << "Bundle width " << of_whose << "is " << w
                 << " mm; it must be smaller than the crossing spacing of "
                 << spacing << " mm, or parallel bundles overlap";

@@ -8,6 +8,15 @@
 
 namespace NPT
 {
+  namespace
+  {
+    // Looking for symmetries takes the square of the number of crossings, and a
+    // cell of so many bundles could not be computed.
+    constexpr unsigned int most_bundles = 64;
+  } // namespace
+
+
+
   WeavePattern::WeavePattern(const std::string &description)
   {
     const auto       &weaves = Registry<NamedWeave>::instance();
@@ -29,7 +38,7 @@ namespace NPT
             n_warp_ = in_row;
           if (in_row == 0 || in_row != n_warp_)
             throw InputError(
-              "Weave is '" + description + "'; row " +
+              "Weave is " + in_quotes(description) + "; row " +
               std::to_string(n_weft_ + 1) + " has " + std::to_string(in_row) +
               " letters where the first has " + std::to_string(n_warp_) +
               "; all rows need the same number, at least one "
@@ -38,13 +47,20 @@ namespace NPT
           in_row = 0;
         }
       else if (c != ' ')
-        throw InputError("Weave is '" + description + "'; it must be " +
-                         joined(weaves.names(), ", ") +
+        throw InputError("Weave is " + in_quotes(description) +
+                         "; it must be " + joined(weaves.names(), ", ") +
                          " or a table of the letters o and u with rows "
                          "separated by '/', such as ou/uo" +
                          did_you_mean(description, weaves.names()) +
                          " (subsection Cell).");
 
+    if (n_warp_ > most_bundles || n_weft_ > most_bundles)
+      throw InputError("Weave is a table of " + std::to_string(n_weft_) +
+                       " rows with " + std::to_string(n_warp_) +
+                       " letters; there may be at most " +
+                       std::to_string(most_bundles) +
+                       " of each (subsection "
+                       "Cell).");
     // A bundle that never changes sides is not woven in: it would fall out.
     for (unsigned int i = 0; i < n_warp_; ++i)
       {
@@ -52,8 +68,8 @@ namespace NPT
         for (unsigned int j = 0; j < n_weft_; ++j)
           n_over += warp_is_over(i, j);
         if (n_over == 0 || n_over == n_weft_)
-          throw InputError("Weave is '" + description + "'; warp bundle " +
-                           std::to_string(i + 1) +
+          throw InputError("Weave is " + in_quotes(description) +
+                           "; warp bundle " + std::to_string(i + 1) +
                            " never changes sides, so it is not woven in "
                            "(subsection Cell).");
       }
@@ -63,8 +79,8 @@ namespace NPT
         for (unsigned int i = 0; i < n_warp_; ++i)
           n_over += warp_is_over(i, j);
         if (n_over == 0 || n_over == n_warp_)
-          throw InputError("Weave is '" + description + "'; weft bundle " +
-                           std::to_string(j + 1) +
+          throw InputError("Weave is " + in_quotes(description) +
+                           "; weft bundle " + std::to_string(j + 1) +
                            " never changes sides, so it is not woven in "
                            "(subsection Cell).");
       }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Values and yarns of TexGen's XML files.
 
+#include <npt_dealii/base/describe_pattern.h>
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/message_words.h>
 #include <npt_dealii/base/short_number.h>
+#include <npt_dealii/base/text_file.h>
 #include <npt_dealii/fabric_files/texgen_file.h>
+#include <npt_dealii/fabric_files/xml_depth.h>
 
 #include <boost/property_tree/xml_parser.hpp>
 
@@ -16,6 +20,13 @@
 
 namespace NPT
 {
+  namespace
+  {
+    const unsigned int max_depth = 100; // of the elements of a file
+  }
+
+
+
   bool
   TexGenSection::operator==(const TexGenSection &other) const
   {
@@ -33,11 +44,19 @@ namespace NPT
   TexGenFile::TexGenFile(const std::string &filename)
     : file_(filename)
   {
-    if (!std::filesystem::is_regular_file(file_))
-      refuse("there is no such file");
+    if (const std::string obstacle = obstacle_to_file(file_); !obstacle.empty())
+      refuse("it cannot be read: " + obstacle);
+    if (!std::filesystem::exists(file_))
+      refuse("there is no such file" + home_folder_hint(file_));
+    if (std::filesystem::is_directory(file_))
+      refuse("it is a directory");
+    std::istringstream in(read_text_file(file_, "The TexGen file " + file_));
+    if (const unsigned int depth = xml_depth(in.str()); depth > max_depth)
+      refuse("it has elements within " + std::to_string(depth) +
+             " others, which no weave has");
     try
       {
-        boost::property_tree::read_xml(file_, tree_);
+        boost::property_tree::read_xml(in, tree_);
       }
     catch (const boost::property_tree::xml_parser_error &error)
       {
@@ -51,8 +70,8 @@ namespace NPT
   void
   TexGenFile::refuse(const std::string &what) const
   {
-    throw InputError("The TexGen file " + file_ + " cannot be used: " + what +
-                     ".");
+    throw InputError("The TexGen file " + file_ +
+                     " cannot be used: " + printable(what) + ".");
   }
 
 
@@ -96,7 +115,10 @@ namespace NPT
     char        *end    = nullptr;
     const double result = std::strtod(value.c_str(), &end);
     if (value.empty() || *end != '\0' || !std::isfinite(result))
-      refuse(where + " is '" + value + "', which is no number");
+      refuse(where + " is " + in_quotes(value) + ", which is no number");
+    if (const std::string fault = number_beyond_doubles(value); !fault.empty())
+      refuse(where + " is a number that " +
+             fault.substr(fault.find(" is ") + 1));
     return result;
   }
 

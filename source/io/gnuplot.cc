@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The frame of gnuplot scripts, and calling gnuplot.
 
+#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/io/gnuplot.h>
+#include <npt_dealii/io/output_file.h>
 #include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/io/replace_file.h>
 
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <ostream>
 #include <vector>
 
@@ -101,6 +106,62 @@ namespace NPT
 
 
 
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    // The pictures of a script that are there; gnuplot may lack a format.
+    std::vector<std::string>
+    pictures_of(const std::string &folder, const std::string &script)
+    {
+      std::vector<std::string> pictures;
+      for (const char *extension : {".svg", ".png"})
+        {
+          const fs::path picture =
+            fs::path(folder) / fs::path(script).replace_extension(extension);
+          std::error_code error;
+          if (fs::exists(picture, error))
+            pictures.push_back(picture.string());
+        }
+      return pictures;
+    }
+
+    // Whether a picture has its end. What is no file has none.
+    bool
+    is_complete(const std::string &picture)
+    {
+      if (!fs::is_regular_file(picture))
+        return false;
+      std::ifstream     in(picture, std::ios::binary | std::ios::ate);
+      const std::size_t size = in ? static_cast<std::size_t>(in.tellg()) : 0;
+      std::string       end(std::min<std::size_t>(size, 32), ' ');
+      const std::string last =
+        picture.substr(picture.size() - 3) == "svg" ? "</svg>" : "IEND";
+      in.seekg(size - end.size());
+      in.read(end.data(), end.size());
+      return in && end.find(last) != std::string::npos;
+    }
+
+    // gnuplot does not tell that a disk is full. Asked by writing, the system
+    // does; what is no file and can be written (/dev/null) is as good as
+    // complete.
+    void
+    check_picture(const std::string &picture, const bool gnuplot_succeeded)
+    {
+      if (is_complete(picture))
+        return;
+      const bool is_file = fs::is_regular_file(picture);
+      OutputFile(picture).write(std::string(1 << 20, ' '));
+      if (!is_file)
+        return;
+      std::remove(picture.c_str());
+      if (gnuplot_succeeded)
+        throw OutputError(picture, "gnuplot left it incomplete");
+    }
+  } // namespace
+
+
+
   std::string
   run_gnuplot(const std::string &script)
   {
@@ -130,9 +191,15 @@ namespace NPT
     // 127 is the shell's answer to an unknown program.
     const int status =
       std::system((command + " >/dev/null 2>&1 </dev/null").c_str());
-    if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 0)
+    const bool has_ended = status != -1 && WIFEXITED(status);
+    const bool succeeded = has_ended && WEXITSTATUS(status) == 0;
+    if (!has_ended || WEXITSTATUS(status) != 127)
+      for (const std::string &script : scripts)
+        for (const std::string &picture : pictures_of(folder, script))
+          check_picture(picture, succeeded);
+    if (succeeded)
       return "";
-    if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 127)
+    if (has_ended && WEXITSTATUS(status) == 127)
       return "gnuplot was not found, no picture is drawn; install gnuplot and "
              "run it on " +
              names + ".";

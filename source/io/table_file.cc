@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // CSV tables: quoting, exact numbers, and messages with the line.
 
+#include <npt_dealii/base/describe_pattern.h>
 #include <npt_dealii/base/exceptions.h>
-#include <npt_dealii/base/parameter_file.h>
+#include <npt_dealii/base/message_words.h>
+#include <npt_dealii/base/nearest_name.h>
+#include <npt_dealii/base/text_file.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/io/table_file.h>
 
@@ -12,7 +15,8 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
+#include <optional>
+#include <sstream>
 #include <system_error>
 
 namespace NPT
@@ -48,14 +52,64 @@ namespace NPT
       return line;
     }
 
-    std::vector<std::string>
-    split_line(const std::string &line, const std::string &where)
+    // What separates the cells of a line with names: what other programs write
+    // where the comma is the decimal point, if there is no comma.
+    char
+    separator_of(const std::string &line)
     {
+      bool        in_quotes = false;
+      std::string separators;
+      for (const char c : line)
+        if (c == '"')
+          in_quotes = !in_quotes;
+        else if (!in_quotes && (c == ',' || c == ';' || c == '\t'))
+          separators += c;
+      for (const char c : {',', ';', '\t'})
+        if (separators.find(c) != std::string::npos)
+          return c;
+      return ',';
+    }
+
+    // "MPa" of "P11 [MPa]"; the name is shortened. Not of a name with a comma,
+    // which is meant as a whole.
+    std::string
+    take_unit(std::string &name)
+    {
+      const std::size_t begin = name.rfind('[');
+      if (name.empty() || name.back() != ']' || begin == std::string::npos ||
+          begin == 0)
+        return "";
+      const std::string unit = name.substr(begin + 1);
+      name                   = dealii::Utilities::trim(name.substr(0, begin));
+      return dealii::Utilities::trim(unit.substr(0, unit.size() - 1));
+    }
+
+    // A line of units below the names: cells in brackets, some of them empty.
+    bool
+    is_line_of_units(const std::vector<std::string> &cells)
+    {
+      bool has_unit = false;
+      for (const std::string &cell : cells)
+        {
+          if (!cell.empty() && (cell.front() != '[' || cell.back() != ']'))
+            return false;
+          has_unit = has_unit || !cell.empty();
+        }
+      return has_unit;
+    }
+
+    std::vector<std::string>
+    split_line(const std::string &line,
+               const char         separator,
+               const std::string &where)
+    {
+      const std::string blanks = separator == '\t' ? " " : " \t";
+
       std::vector<std::string> cells;
       std::size_t              pos = 0;
       while (true)
         {
-          pos = std::min(line.find_first_not_of(" \t", pos), line.size());
+          pos = std::min(line.find_first_not_of(blanks, pos), line.size());
           if (pos < line.size() && line[pos] == '"')
             {
               std::string cell;
@@ -69,8 +123,8 @@ namespace NPT
               if (pos == line.size())
                 throw InputError(where + "a double quote is not closed");
               pos =
-                std::min(line.find_first_not_of(" \t", pos + 1), line.size());
-              if (pos < line.size() && line[pos] != ',')
+                std::min(line.find_first_not_of(blanks, pos + 1), line.size());
+              if (pos < line.size() && line[pos] != separator)
                 throw InputError(where +
                                  "text follows a closing double quote, a comma "
                                  "is missing");
@@ -78,11 +132,11 @@ namespace NPT
             }
           else
             {
-              const std::size_t comma =
-                std::min(line.find(',', pos), line.size());
+              const std::size_t end =
+                std::min(line.find(separator, pos), line.size());
               cells.push_back(
-                dealii::Utilities::trim(line.substr(pos, comma - pos)));
-              pos = comma;
+                dealii::Utilities::trim(line.substr(pos, end - pos)));
+              pos = end;
             }
           if (pos == line.size())
             return cells;
@@ -117,24 +171,117 @@ namespace NPT
       return text + to_line({column_names.begin(), column_names.end()}) + "\n";
     }
 
+    constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    // By the name as it stands, or without its unit; none: there is no such
+    // column.
+    std::size_t
+    find_column(const Table &table, const std::string &name)
+    {
+      const auto &names = table.column_names;
+      const auto  exact = std::find(names.begin(), names.end(), name);
+      if (exact != names.end())
+        return exact - names.begin();
+      std::size_t found = none;
+      for (std::size_t i = 0; i < names.size(); ++i)
+        {
+          std::string bare = names[i];
+          take_unit(bare);
+          if (bare != name)
+            continue;
+          if (found != none)
+            throw InputError("table '" + table.filename +
+                             "' has two columns '" + name + "', '" +
+                             names[found] + "' and '" + names[i] + "'");
+          found = i;
+        }
+      return found;
+    }
+
     std::size_t
     column_index(const Table &table, const std::string &name)
     {
-      const auto &names = table.column_names;
-      const auto  found = std::find(names.begin(), names.end(), name);
-      if (found == names.end())
+      const std::size_t found = find_column(table, name);
+      if (found == none)
         {
-          std::string hint = did_you_mean(name, names);
+          const auto &names = table.column_names;
+          std::string hint  = did_you_mean(name, names);
           if (hint.empty())
-            {
-              hint = "; its columns are: ";
-              for (std::size_t i = 0; i < names.size(); ++i)
-                hint += (i == 0 ? "" : ", ") + names[i];
-            }
+            hint = "; its columns are: " + listed(names);
           throw InputError("table '" + table.filename + "' has no column '" +
                            name + "'" + hint);
         }
-      return found - names.begin();
+      return found;
+    }
+
+    std::optional<double>
+    to_number(const std::string &cell)
+    {
+      const char *begin = cell.data(), *end = begin + cell.size();
+      if (begin != end && *begin == '+') // from_chars knows no plus sign
+        ++begin;
+      double     value  = 0;
+      const auto result = std::from_chars(begin, end, value);
+      if (begin == end || result.ec != std::errc() || result.ptr != end)
+        return {};
+      return value;
+    }
+
+    // The cell with a point, if it is a number with a decimal comma.
+    std::optional<double>
+    to_number_with_comma(std::string cell)
+    {
+      if (std::count(cell.begin(), cell.end(), ',') != 1 ||
+          cell.find('.') != std::string::npos)
+        return {};
+      std::replace(cell.begin(), cell.end(), ',', '.');
+      return to_number(cell);
+    }
+
+    // Where one number has a decimal comma, points may part the thousands.
+    void
+    refuse_points(const Table &table)
+    {
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+        for (const std::string &cell : table.rows[row])
+          if (cell.find('.') != std::string::npos && to_number(cell))
+            throw InputError(table.filename + ":" +
+                             std::to_string(table.lines[row]) + ": '" + cell +
+                             "' has a decimal point, other numbers of the "
+                             "table have decimal commas; write all alike");
+    }
+
+    [[noreturn]] void
+    refuse_cell(const Table       &table,
+                const std::size_t  row,
+                const std::string &name,
+                const std::string &cell)
+    {
+      std::string hint = number_beyond_doubles(cell);
+      if (!hint.empty())
+        hint = "; " + hint;
+      else if (row == 0 &&
+               cell.find_first_of("0123456789") == std::string::npos &&
+               !cell.empty())
+        hint = "; a line of units needs brackets, as [MPa]";
+      throw InputError(table.filename + ":" + std::to_string(table.lines[row]) +
+                       ": column '" + name + "' is " +
+                       (cell.empty() ? "empty" : in_quotes(cell)) +
+                       "; it must be a number" + hint);
+    }
+
+    void
+    refuse_row(const std::string &where,
+               const std::size_t  n_cells,
+               const Table       &table)
+    {
+      const std::size_t n = table.column_names.size();
+      throw InputError(
+        where + "the row has " + std::to_string(n_cells) +
+        " cells, but the table has " + std::to_string(n) + " columns" +
+        (table.separator == ',' && n_cells == 2 * n ?
+           "; numbers with decimal commas need semicolons between them" :
+           ""));
     }
   } // namespace
 
@@ -194,8 +341,18 @@ namespace NPT
   bool
   Table::has_column(const std::string &name) const
   {
-    return std::find(column_names.begin(), column_names.end(), name) !=
-           column_names.end();
+    return find_column(*this, name) != none;
+  }
+
+
+
+  std::string
+  Table::unit(const std::string &name) const
+  {
+    const std::size_t index = column_index(*this, name);
+    std::string       full  = column_names[index];
+    const std::string unit  = take_unit(full);
+    return unit.empty() && index < units.size() ? units[index] : unit;
   }
 
 
@@ -203,23 +360,23 @@ namespace NPT
   std::vector<double>
   Table::column(const std::string &name) const
   {
-    const std::size_t   index = column_index(*this, name);
+    const std::size_t   index     = column_index(*this, name);
+    bool                has_comma = false;
     std::vector<double> values;
     for (std::size_t row = 0; row < rows.size(); ++row)
       {
-        const std::string &cell  = rows[row][index];
-        const char        *begin = cell.data(), *end = begin + cell.size();
-        if (begin != end && *begin == '+') // from_chars knows no plus sign
-          ++begin;
-
-        double     value  = 0;
-        const auto result = std::from_chars(begin, end, value);
-        if (begin == end || result.ec != std::errc() || result.ptr != end)
-          throw InputError(filename + ":" + std::to_string(lines[row]) +
-                           ": column '" + name + "' is " +
-                           (cell.empty() ? "empty" : "'" + cell + "'") +
-                           "; it must be a number");
-        values.push_back(value);
+        const std::string    &cell   = rows[row][index];
+        std::optional<double> number = to_number(cell);
+        if (!number && separator != ',')
+          {
+            number = to_number_with_comma(cell);
+            if (number && !has_comma)
+              refuse_points(*this);
+            has_comma = has_comma || number;
+          }
+        if (!number)
+          refuse_cell(*this, row, name, cell);
+        values.push_back(*number);
       }
     return values;
   }
@@ -241,15 +398,16 @@ namespace NPT
   Table
   read_table(const std::string &filename)
   {
-    std::error_code error;
+    const std::string what = "table '" + filename + "'";
+    std::error_code   error;
     if (std::filesystem::is_directory(filename, error))
-      throw InputError("table '" + filename + "' is a directory");
+      throw InputError(what + " is a directory");
+    if (const std::string obstacle = obstacle_to_file(filename);
+        !obstacle.empty())
+      throw InputError(what + " cannot be read: " + obstacle);
     if (!std::filesystem::exists(filename, error))
-      throw InputError("table '" + filename + "' not found");
-    std::ifstream in(filename, std::ios::binary);
-    if (!in)
-      throw InputError("table '" + filename +
-                       "' cannot be read; check its permissions");
+      throw InputError(what + " not found" + home_folder_hint(filename));
+    std::istringstream in(read_text_file(filename, what));
 
     Table table;
     table.filename = filename;
@@ -258,37 +416,43 @@ namespace NPT
     while (std::getline(in, line))
       {
         ++line_number;
-        if (line_number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
-          line.erase(0, 3);
-        line = dealii::Utilities::trim(line);
-        if (line.empty())
+        // A tab at the end may be what separates the last cell, an empty one.
+        const std::string plain = dealii::Utilities::trim(line);
+        if (plain.empty())
           continue;
-        if (line.front() == '#')
+        if (plain.front() == '#')
           {
-            table.comments.push_back(dealii::Utilities::trim(line.substr(1)));
+            table.comments.push_back(dealii::Utilities::trim(plain.substr(1)));
             continue;
           }
+        if (table.separator != '\t')
+          line = plain;
 
         const std::string where =
           filename + ":" + std::to_string(line_number) + ": ";
-        const auto cells = split_line(line, where);
         if (table.column_names.empty())
           {
-            table.column_names = cells;
-            check_column_names(cells, filename);
+            table.separator    = separator_of(plain);
+            table.column_names = split_line(plain, table.separator, where);
+            check_column_names(table.column_names, filename);
             continue;
           }
+        const auto cells = split_line(line, table.separator, where);
         if (cells.size() != table.column_names.size())
-          throw InputError(
-            where + "the row has " + std::to_string(cells.size()) +
-            " cells, but the table has " +
-            std::to_string(table.column_names.size()) + " columns");
+          refuse_row(where, cells.size(), table);
+        if (table.rows.empty() && table.units.empty() &&
+            is_line_of_units(cells))
+          {
+            for (const std::string &cell : cells)
+              table.units.push_back(
+                cell.empty() ? "" : cell.substr(1, cell.size() - 2));
+            continue;
+          }
         table.rows.push_back(cells);
         table.lines.push_back(line_number);
       }
     if (table.column_names.empty())
-      throw InputError("table '" + filename +
-                       "' is empty; it needs a line with column names");
+      throw InputError(what + " is empty; it needs a line with column names");
     return table;
   }
 } // namespace NPT

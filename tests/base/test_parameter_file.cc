@@ -121,7 +121,7 @@ TEST_CASE("A parameter file means the same to us and to deal.II", "[base]")
     "  set Averaging=KTS\n"
     "  set Number of points = 7\n"
     "  # a comment that goes on \\\n"
-    "  set Points = 9\n"
+    "  Points = 9\n"
     "  subsection Search\n"
     "    set value = -1 \n"
     "    set Box = 3 ,4\n"
@@ -634,4 +634,6 @@ TEST_CASE("Nearest names come in order of distance, far ones never", "[base]")
   CHECK(nearest_names("", names).empty());
   CHECK(nearest_names("x", {"y"}).empty());
   CHECK(did_you_mean("point", names) == "; did you mean 'Points'?");
+  CHECK(did_you_mean("penalty normal", names) ==
+        "; did you mean 'Normal penalty'?");
 }

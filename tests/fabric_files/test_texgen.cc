@@ -5,6 +5,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/fabric_files/texgen.h>
+#include <npt_dealii/fabric_files/xml_depth.h>
 
 #include <catch2/catch.hpp>
 
@@ -309,4 +310,48 @@ TEST_CASE("Materials of the file are named and not taken", "[texgen]")
                                        "YoungsModulusXUnits=\"GPa\""));
   REQUIRE(glass.notes.size() == 2);
   CHECK(glass.notes[1].find("72 GPa") != std::string::npos);
+}
+
+
+
+TEST_CASE("A file that is no weave is refused, however deep or long it is",
+          "[texgen]")
+{
+  std::string deep;
+  for (unsigned int i = 0; i < 200000; ++i)
+    deep += "<a>";
+  CHECK_THAT(complaint(write("deep.tg3", deep)),
+             Catch::Contains("it has elements within 200000 others"));
+  CHECK_THAT(complaint(write("text.tg3", "1 < 2")),
+             Catch::Contains("it is no XML file"));
+  CHECK_THAT(complaint(write("zero.tg3", std::string("<a\0>", 4))),
+             Catch::Contains("is not plain text"));
+  CHECK_THAT(complaint("/dev/zero"),
+             Catch::Contains("another file than it should be"));
+  CHECK_THAT(complaint(NPT_BINARY_DIR), Catch::Contains("it is a directory"));
+  CHECK_THAT(complaint("~/weave.tg3"), Catch::Contains("'~' is the home"));
+  // Comments, declarations and text within quotes are no elements.
+  CHECK(xml_depth("<?a <b> ?><!-- <c><d> --><e f=\"<g>\"><h/><i></i></e>") ==
+        2);
+  CHECK(xml_depth("<![CDATA[<a><b>]]><!DOCTYPE c><d") == 1);
+  // A name that is a text stays a part of the sentence.
+  CHECK_THAT(complaint(weave({"ou", "uo"},
+                             "",
+                             [](std::string &content) {
+                               replace(content, "CTextileWeave2D", "a\nb");
+                             })),
+             Catch::Contains("its textile is a a?b, and only"));
+  // Tiny and huge numbers.
+  CHECK_THAT(complaint(
+               weave({"ou", "uo"},
+                     "",
+                     [](std::string &content) {
+                       replace(content, "GapSize=\"0\"", "GapSize=\"1e-400\"");
+                     })),
+             Catch::Contains("GapSize of the textile is a number that is too "
+                             "close to 0"));
+  CHECK_THAT(complaint(
+               weave(std::vector<std::string>(65, std::string(65, 'o')))),
+             Catch::Contains("a table of 65 rows with 65 letters; there may be "
+                             "at most 64 of each"));
 }

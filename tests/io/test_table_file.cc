@@ -204,3 +204,53 @@ TEST_CASE("A table that cannot be opened is an error", "[base]")
                     "directory.");
   CHECK_THROWS_AS(TableWriter(file_name("x.csv"), {"x", "x"}), InputError);
 }
+
+
+
+TEST_CASE("A table of a country with decimal commas has the same numbers",
+          "[base]")
+{
+  const std::string filename = file_name("commas.csv");
+  const auto        x_of     = [&](const std::string &content) {
+    std::ofstream(filename, std::ios::binary) << content;
+    return read_table(filename).column("x");
+  };
+  const std::vector<double> expected = {0.5, -1e-3, 2};
+  CHECK(x_of("x;y\n0,5;1\n-1e-3;2,5\n2;3\n") == expected);
+  CHECK(x_of("y\tx\r\t0,5\r1\t-0,001\r\t2\r") == expected);
+  CHECK(x_of("x;y\n0.5;a,b\n-1e-3;\n2;\n") == expected);
+  CHECK(message_of("x;y\n0,5;1.234\n", "x") ==
+        "t.csv:2: '1.234' has a decimal point, other numbers of the table have "
+        "decimal commas; write all alike");
+  CHECK_THAT(message_of("x;y\n1.234,5;1\n", "x"),
+             Catch::Contains("'1.234,5'; it must be a number"));
+  CHECK_THAT(message_of("x,y\n0,5,1,5\n"),
+             Catch::EndsWith("decimal commas need semicolons between them"));
+  CHECK_THAT(message_of("x\n1e-400\n", "x"),
+             Catch::EndsWith("it must be a number; '1e-400' is too close to 0 "
+                             "for a computer (2.3e-308)"));
+}
+
+
+
+TEST_CASE("Units stand behind the names of a table or in a line below them",
+          "[base]")
+{
+  const std::string filename = file_name("units.csv");
+  std::ofstream(filename) << "H11 [-],P11 [ MPa ],t\n1,2,3\n";
+  Table table = read_table(filename);
+  CHECK(table.column("P11") == std::vector<double>{2});
+  CHECK(table.unit("P11") == "MPa");
+  CHECK(table.unit("H11 [-]") == "-");
+  CHECK(table.unit("t").empty());
+  std::ofstream(filename) << "H11,P11,t\n[-],[kPa],\n1,2,3\n";
+  table = read_table(filename);
+  CHECK(table.n_rows() == 1);
+  CHECK(table.unit("P11") == "kPa");
+  CHECK(table.column("t") == std::vector<double>{3});
+  CHECK(message_of("P11,t\nMPa,s\n1,2\n", "P11") ==
+        "t.csv:2: column 'P11' is 'MPa'; it must be a number; a line of units "
+        "needs brackets, as [MPa]");
+  CHECK_THAT(message_of("P11 [MPa],P11 [kPa]\n1,2\n", "P11"),
+             Catch::Contains("has two columns 'P11'"));
+}

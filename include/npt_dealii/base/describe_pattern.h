@@ -24,6 +24,14 @@ namespace NPT
   std::string
   suggestion_for_value(const std::string &value,
                        const std::string &pattern_description);
+
+  /**
+   * Half a sentence on the first number of a text, or of a list in it, that is
+   * too large or too close to 0 to be stored, as 1e400 and 1e-400; empty if
+   * there is none. (0 itself is none.)
+   */
+  std::string
+  number_beyond_doubles(const std::string &value);
 } // namespace NPT
 
 #endif

@@ -16,6 +16,12 @@ namespace NPT
   std::string
   lower_case(std::string text);
 
+  /// With question marks for what would change the screen instead of being
+  /// shown on it.
+  std::string
+  printable(std::string text);
+
+  /// Printable and not longer than a sentence can bear.
   std::string
   in_quotes(const std::string &text);
 

@@ -43,13 +43,15 @@ namespace NPT
    *
    * Lines are understood as dealii::ParameterHandler does: `#` begins a
    * comment, a backslash at the end joins the next line, tabs count as blanks,
-   * keywords are all lower or all upper case. The one departure: a name
-   * behind `include` is relative to the file it stands in, not to the folder
-   * the program was started in, so that a folder of files can be moved.
+   * keywords are all lower or all upper case. Two departures: a name behind
+   * `include` is relative to the file it stands in, not to the folder the
+   * program was started in, so that a folder of files can be moved (in a pipe
+   * it is relative to the latter); and lines may end in '\r' alone.
    *
    * Throws InputError if a file is missing (with the nearest .prm files of that
    * folder), a directory, not text, or includes itself; and for a line that is
-   * no statement, a `set` without `=`, and an unbalanced `subsection`/`end`.
+   * no statement, a `set` without `=`, an unbalanced `subsection`/`end`, and a
+   * backslash that would make a statement a part of the line before it.
    */
   ParameterText
   read_parameter_text(const std::string &filename);

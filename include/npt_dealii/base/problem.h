@@ -13,6 +13,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace NPT
 {
@@ -71,14 +72,21 @@ namespace NPT
 
   /// Print or check the parameters if that is all that was asked for; returns
   /// whether it was.
+  /// @param remarks Sentences that a run would have in its log as warnings.
   template <typename Parameters>
   bool
-  done_with_parameters(const CommandLine &command, const Parameters &parameters)
+  done_with_parameters(const CommandLine              &command,
+                       const Parameters               &parameters,
+                       const std::vector<std::string> &remarks = {})
   {
     if (command.action == CommandLine::Action::print_defaults)
       std::cout << parameters.used_file;
     else if (command.action == CommandLine::Action::validate)
-      std::cout << command.parameter_file << " is valid." << std::endl;
+      {
+        for (const std::string &remark : remarks)
+          std::cout << "Warning: " << remark << '\n';
+        std::cout << command.parameter_file << " is valid." << std::endl;
+      }
     else
       return false;
     return true;

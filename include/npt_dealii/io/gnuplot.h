@@ -50,6 +50,9 @@ namespace NPT
    *
    * @return Empty if all went well, else a warning of one line: without
    *   gnuplot a run has its numbers and only lacks the picture.
+   *
+   * Throws OutputError for a picture that is not complete, because gnuplot does
+   * not tell of a full disk; what there is of the picture is removed.
    */
   std::string
   run_gnuplot(const std::string &script);

@@ -129,10 +129,14 @@ namespace NPT
   struct Table
   {
     std::string              filename;
-    std::vector<std::string> comments; ///< Without "#" and blanks around.
-    std::vector<std::string> column_names;
+    std::vector<std::string> comments;     ///< Without "#" and blanks around.
+    std::vector<std::string> column_names; ///< As they stand, with units.
+    /// Of a line of units below the names, without brackets; or none.
+    std::vector<std::string>              units;
     std::vector<std::vector<std::string>> rows;
     std::vector<unsigned int> lines; ///< Line of each row in the file, from 1.
+    /// Comma, semicolon or tab.
+    char separator = ',';
 
     std::size_t
     n_rows() const
@@ -140,12 +144,19 @@ namespace NPT
       return rows.size();
     }
 
+    /// Names are those of the file, or these without a unit in brackets behind
+    /// them: the column "P11 [MPa]" is also found as "P11".
     bool
     has_column(const std::string &name) const;
 
+    /// The unit behind the name of a column, or below it; empty: none.
+    std::string
+    unit(const std::string &name) const;
+
     /**
      * The numbers of a column, bit by bit what was written ("nan" and "inf"
-     * included).
+     * included). Where semicolons or tabs separate the cells, a number may have
+     * a decimal comma, if none of the table has a decimal point.
      *
      * Throws InputError if there is no such column (with the nearest name) or a
      * cell is not a number (with its line).
@@ -161,7 +172,8 @@ namespace NPT
    * Read a table: lines beginning with "#" are comments wherever they stand,
    * empty lines are skipped, the first other line has the names of the columns.
    * Blanks around cells do not count; a cell in double quotes may contain
-   * commas.
+   * commas. Semicolons or tabs separate the cells if the line of names has
+   * them and no commas; a line of units in brackets may follow it.
    *
    * Throws InputError if the file cannot be read, has no header, a column name
    * twice, or a row with too few or too many cells (with its line).

@@ -117,17 +117,11 @@ namespace NPT
 
 
 
-  IdentificationResult
-  run_identification(const IdentificationRunParameters &parameters,
-                     const std::string                 &directory,
-                     std::ostream                      &screen)
+  std::vector<MaterialCurve>
+  IdentificationRunParameters::read_curves() const
   {
-    RunLog log(RunLog::in_folder(directory, screen));
-    if (!directory.empty())
-      replace_file(directory + "/used_parameters.prm",
-                   [&](std::ostream &out) { out << parameters.used_file; });
     std::vector<MaterialCurve> curves;
-    for (const std::string &file : parameters.files)
+    for (const std::string &file : files)
       for (MaterialCurve &curve : read_material_curves(file))
         {
           for (const MaterialCurve &other : curves)
@@ -137,6 +131,21 @@ namespace NPT
                                "its own (entry Files, subsection Data).");
           curves.push_back(curve);
         }
+    return curves;
+  }
+
+
+
+  IdentificationResult
+  run_identification(const IdentificationRunParameters &parameters,
+                     const std::vector<MaterialCurve>  &curves,
+                     const std::string                 &directory,
+                     std::ostream                      &screen)
+  {
+    RunLog log(RunLog::in_folder(directory, screen));
+    if (!directory.empty())
+      replace_file(directory + "/used_parameters.prm",
+                   [&](std::ostream &out) { out << parameters.used_file; });
     log.header("Identification of the fiber bundle law (50)-(53)",
                {{"curves", std::to_string(curves.size())}});
     const IdentificationResult result =
@@ -161,10 +170,12 @@ namespace NPT
         IdentificationRunParameters::read(text, command.overrides);
       if (done_with_parameters(command, parameters))
         return;
+      // Before the results of an earlier run are removed.
+      const auto        curves = parameters.read_curves();
       const std::string directory =
         make_output_directory(command, parameters.output.directory);
       const OutputFolder folder(directory);
-      run_identification(parameters, directory, std::cout);
+      run_identification(parameters, curves, directory, std::cout);
     }
 
     const Registry<Problem>::Registration

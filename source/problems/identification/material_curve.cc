@@ -2,17 +2,40 @@
 // Reading test data.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/message_words.h>
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/problems/identification/material_curve.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 namespace NPT
 {
   using dealii::Tensor;
+
+  namespace
+  {
+    // Numbers of another unit would be taken as if they were of this one.
+    void
+    check_unit(const Table                    &table,
+               const std::string              &column,
+               const std::vector<std::string> &units)
+    {
+      const std::string unit = table.unit(column);
+      if (unit.empty() ||
+          std::find(units.begin(), units.end(), unit) != units.end())
+        return;
+      throw InputError("The column " + column + " of the table " +
+                       table.filename + " is in " + in_quotes(unit) +
+                       "; it must be in " + units[0] +
+                       ", convert its numbers.");
+    }
+  } // namespace
+
+
 
   std::vector<MaterialCurve>
   read_material_curves(const std::string &filename)
@@ -27,6 +50,7 @@ namespace NPT
           std::to_string(e / 3 + 1) + std::to_string(e % 3 + 1);
         if (table.has_column("H" + index))
           {
+            check_unit(table, "H" + index, {"-", "1", "mm/mm"});
             H[e]  = table.column("H" + index);
             has_H = true;
           }
@@ -34,6 +58,7 @@ namespace NPT
           H[e].assign(table.n_rows(), 0.);
         if (table.has_column("P" + index))
           {
+            check_unit(table, "P" + index, {"MPa", "N/mm^2", "N/mm2"});
             P[e]        = table.column("P" + index);
             measured[e] = true;
             has_P       = true;

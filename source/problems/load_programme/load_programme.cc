@@ -216,6 +216,26 @@ namespace NPT
   {
     const std::string default_stages = "weave, release, shear";
 
+    // Names become parts of the names of files, and every stage has a dozen
+    // entries.
+    void
+    check_list(const std::vector<std::string> &names)
+    {
+      const std::size_t most = 1000, longest = 100;
+      if (names.size() > most)
+        throw InputError("Stages names " + std::to_string(names.size()) +
+                         " stages; there may be at most " +
+                         std::to_string(most) +
+                         " (subsection Load programme).");
+      for (const std::string &name : names)
+        if (name.size() > longest)
+          throw InputError("Stages names " + in_quotes(name) + ", which has " +
+                           std::to_string(name.size()) +
+                           " characters; a name may have at most " +
+                           std::to_string(longest) +
+                           " (subsection Load programme).");
+    }
+
     void
     check_order(const std::vector<LoadStage> &stages)
     {
@@ -276,6 +296,7 @@ namespace NPT
         names_ = default_stages;
         list   = split_list(default_stages);
       }
+    check_list(list);
     for (const std::string &name : list)
       stages.emplace_back(name);
   }

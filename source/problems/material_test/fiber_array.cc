@@ -115,6 +115,15 @@ namespace NPT
   MicroCellParameters::check()
   {
     std::ostringstream message;
+    // Volumes and their derivatives are products of many lengths.
+    for (const auto &[name, length] :
+         {std::pair("Fiber spacing", fiber_spacing),
+          std::pair("Fiber radius", fiber_radius)})
+      if (length > 1e20 || (length > 0. && length < 1e-20))
+        throw InputError(std::string(name) + " is " +
+                         EntryValue<double>::text(length) +
+                         " mm; it must be between 1e-20 and 1e20 mm "
+                         "(subsection Micro cell).");
     if (fiber_radius > 0.)
       {
         if (2. * fiber_radius >= fiber_spacing)

@@ -18,7 +18,7 @@ namespace NPT
     {
       const auto parameters =
         MaterialTestParameters::read(text, command.overrides);
-      if (done_with_parameters(command, parameters))
+      if (done_with_parameters(command, parameters, parameters.remarks))
         return;
       const std::string directory =
         make_output_directory(command, parameters.output.directory);

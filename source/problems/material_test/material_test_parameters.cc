@@ -2,8 +2,10 @@
 // Defines reading and cross-checking of the parameters of material tests.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/message_words.h>
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/problem_names.h>
+#include <npt_dealii/base/unused_sections.h>
 #include <npt_dealii/problems/material_test/material_test_parameters.h>
 
 #include <deal.II/base/utilities.h>
@@ -140,10 +142,36 @@ namespace NPT
 
 
 
+  namespace
+  {
+    // Names become parts of the names of files, and every test has a dozen
+    // entries.
+    void
+    check_list(const std::vector<std::string> &names)
+    {
+      const std::size_t most = 1000, longest = 100;
+      if (names.size() > most)
+        throw InputError("Tests names " + std::to_string(names.size()) +
+                         " tests; there may be at most " +
+                         std::to_string(most) +
+                         " (subsection Material tests).");
+      for (const std::string &name : names)
+        if (name.size() > longest)
+          throw InputError("Tests names " + in_quotes(name) + ", which has " +
+                           std::to_string(name.size()) +
+                           " characters; a name may have at most " +
+                           std::to_string(longest) +
+                           " (subsection Material tests).");
+    }
+  } // namespace
+
+
+
   MaterialTestProgramme::MaterialTestProgramme(const std::string &given_names)
   {
     const auto defaults = split_list(default_tests);
     const auto names = given_names.empty() ? defaults : split_list(given_names);
+    check_list(names);
     if (names != std::vector<std::string>{"none"})
       for (const std::string &name : names)
         tests.emplace_back(name);
@@ -232,10 +260,15 @@ namespace NPT
 
 
   MaterialTestParameters
-  MaterialTestParameters::read(const ParameterText            &text,
+  MaterialTestParameters::read(const ParameterText            &given_text,
                                const std::vector<std::string> &overrides)
   {
     MaterialTestParameters parameters;
+    ParameterText          text = given_text;
+    parameters.remarks          = remove_unused_sections(
+      text,
+      overrides,
+      {"Material tests", "Tests", "Test ", split_list(default_tests)});
     parameters.programme = MaterialTestProgramme(
       get_entry(text, overrides, "Material tests/Tests").value_or(""));
     dealii::ParameterHandler prm;

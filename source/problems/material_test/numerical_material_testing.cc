@@ -130,6 +130,8 @@ namespace NPT
        {"patches", std::to_string(bodies_->space().n_patches())},
        {"cells", std::to_string(bodies_->space().cells().size())},
        {"independent unknowns", std::to_string(system_.n_independent())}});
+    for (const std::string &remark : parameters_.remarks)
+      log_.warning(remark);
     if (directory_.empty())
       return;
     replace_file(directory_ + "/used_parameters.prm",

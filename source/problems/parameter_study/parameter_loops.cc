@@ -18,6 +18,19 @@ namespace NPT
 
   namespace
   {
+    // All cases are read before the first one runs.
+    constexpr std::size_t most_cases = 10000;
+
+    void
+    check_number(const std::size_t n_cases)
+    {
+      if (n_cases > most_cases)
+        throw InputError("The loops of this study make more than " +
+                         std::to_string(most_cases) +
+                         " cases; shorten them, or let them go along with "
+                         "each other, {{a | b}}.");
+    }
+
     bool
     ends_with(const std::string &text, const std::string &end)
     {
@@ -74,13 +87,14 @@ namespace NPT
     const std::vector<std::string> places = find_loops();
     name_loops();
 
-    unsigned int n_combinations = 1;
+    std::size_t n_combinations = 1;
     for (ParameterLoop &loop : loops_)
       if (!loop.is_array)
         {
           loop.axis = axis_sizes_.size();
           axis_sizes_.push_back(loop.values.size());
           n_combinations *= loop.values.size();
+          check_number(n_combinations);
         }
     if (axis_sizes_.empty())
       join_arrays(places);
@@ -155,6 +169,7 @@ namespace NPT
     for (unsigned int l = 0; l < loops_.size(); ++l)
       {
         const unsigned int n = loops_[l].values.size();
+        check_number(n);
         if (axis_sizes_.empty())
           axis_sizes_.push_back(n);
         if (n != axis_sizes_[0])

@@ -139,7 +139,7 @@ namespace NPT
       silence_all_but_first(ranks);
       const auto parameters =
         PlateTestParameters::read(text, command.overrides);
-      if (done_with_parameters(command, parameters))
+      if (done_with_parameters(command, parameters, parameters.remarks))
         return;
       parameters.linear_solver.check(ranks);
       const std::string directory =

@@ -6,6 +6,7 @@
 #include <npt_dealii/base/nearest_name.h>
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/problem_names.h>
+#include <npt_dealii/base/unused_sections.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/homogenization/cell_modes.h>
 #include <npt_dealii/problems/load_programme/bending_directions.h>
@@ -403,10 +404,15 @@ namespace NPT
 
 
   PlateTestParameters
-  PlateTestParameters::read(const ParameterText            &text,
+  PlateTestParameters::read(const ParameterText            &given_text,
                             const std::vector<std::string> &overrides)
   {
     PlateTestParameters parameters;
+    ParameterText       text = given_text;
+    parameters.remarks =
+      remove_unused_sections(text,
+                             overrides,
+                             {"Load programme", "Stages", "Stage "});
     // The names of the stages decide what else there is to declare.
     const std::string stages =
       get_entry(text, overrides, "Load programme/Stages").value_or("");

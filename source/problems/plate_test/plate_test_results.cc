@@ -112,6 +112,8 @@ namespace NPT
     if (parameters_.cell.smooth_closure == CellParameters::SmoothClosure::yes)
       log_.line("Bundles are smooth (C1) between crossings and over the "
                 "periodic faces.");
+    for (const std::string &remark : parameters_.remarks)
+      log_.warning(remark);
     if (!parameters_.reason_for_jumps.empty())
       log_.line("Jumps are " + parameters_.reason_for_jumps + ".");
     if (!parameters_.reason_for_side_contact.empty())
@@ -535,9 +537,17 @@ namespace NPT
     cells.clear();
     if (scripts.empty())
       return;
-    const std::string warning = run_gnuplot(directory_, scripts);
-    if (!warning.empty())
-      log_.warning(warning);
+    try
+      {
+        const std::string warning = run_gnuplot(directory_, scripts);
+        if (!warning.empty())
+          log_.warning(warning);
+      }
+    catch (const OutputError &failure)
+      {
+        log_.warning(failure.what());
+        not_drawn_ = failure;
+      }
   }
 
 

@@ -347,6 +347,19 @@ TEST_CASE("A user's table may lack columns", "[study]")
   CHECK_THROWS_WITH(read_material_curves(file),
                     Catch::Contains("no column of stresses"));
 
+  // Stresses in another unit would be taken for MPa.
+  {
+    std::ofstream out(file);
+    out << "H11 [-]; P11 [MPa]\n0,01; 1,5\n";
+  }
+  CHECK(read_material_curves(file)[0].P[0][0][0] == 1.5);
+  {
+    std::ofstream out(file);
+    out << "H11,P11\n[-],[GPa]\n0.01,1.5\n";
+  }
+  CHECK_THROWS_WITH(read_material_curves(file),
+                    Catch::Contains("is in 'GPa'; it must be in MPa"));
+
   // The material file is what other parameter files include.
   const auto result =
     identify(six_curves(FiberBundleConstants()), IdentificationParameters());

@@ -468,12 +468,12 @@ TEST_CASE("From fibers and matrix to a material file", "[top]")
     CHECK(std::filesystem::exists(folder + "/" + file));
 
   // The same from the table, as prm/identify.prm does.
-  const auto again =
-    run_identification(IdentificationRunParameters::read(
-                         ParameterText(),
-                         {"Data/Files=" + folder + "/material_tests.csv"}),
-                       "",
-                       screen);
+  const auto identification = IdentificationRunParameters::read(
+    ParameterText(), {"Data/Files=" + folder + "/material_tests.csv"});
+  const auto again = run_identification(identification,
+                                        identification.read_curves(),
+                                        "",
+                                        screen);
   CHECK(again.constants.c ==
         Approx(test.identified()->constants.c).epsilon(1e-10));
   // The parameters kept with the results read back.

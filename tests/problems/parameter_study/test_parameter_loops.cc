@@ -153,3 +153,20 @@ TEST_CASE("A subsection can be taken out of a text and printed again",
   CHECK(print_parameter_text(rest) ==
         "set A = 1\nsubsection S\n  set C = 3\nend\n");
 }
+
+
+
+TEST_CASE("A study of more cases than can be read is refused", "[study]")
+{
+  std::string loop = "{1";
+  for (unsigned int i = 0; i < 100; ++i)
+    loop += " | 1";
+  loop += "}";
+  std::string content;
+  for (const char name : {'A', 'B', 'C', 'D', 'E', 'F'})
+    content += std::string("set ") + name + " = " + loop + "\n";
+  CHECK_THAT(message_of_loops(content),
+             Catch::StartsWith("The loops of this study make more than 10000 "
+                               "cases"));
+  CHECK(message_of_loops("set A = " + loop + "\n") == "no error");
+}

@@ -236,6 +236,13 @@ TEST_CASE("A run is drawn, or the missing gnuplot is reported in one line",
       CHECK(warning.empty());
       CHECK(read_text(folder + "/curves.svg").find("</svg>") !=
             std::string::npos);
+      // gnuplot does not say that a disk is full.
+      std::filesystem::remove(folder + "/curves.svg");
+      std::filesystem::create_symlink("/dev/full", folder + "/curves.svg");
+      CHECK_THROWS_WITH(NPT::run_gnuplot(folder, {"curves.gp"}),
+                        "The file '" + folder +
+                          "/curves.svg' cannot be written: No space left on "
+                          "device.");
     }
   else
     CHECK(warning.find("gnuplot was not found") != std::string::npos);

@@ -202,3 +202,22 @@ TEST_CASE(
                         "weave, release, shear"),
                   InputError);
 }
+
+
+
+TEST_CASE("Stages are so many, and their names so long, as files can be named",
+          "[solver]")
+{
+  std::string many = "a";
+  for (unsigned int i = 0; i < 1000; ++i)
+    many += ", a";
+  CHECK(input_error("set Stages = " + many) ==
+        "Stages names 1001 stages; there may be at most 1000 (subsection Load "
+        "programme).");
+  const std::string name(101, 'x');
+  CHECK(
+    input_error("set Stages = " + name) ==
+    "Stages names '" + name +
+      "', which has 101 characters; a name may have at most 100 (subsection "
+      "Load programme).");
+}

@@ -46,6 +46,11 @@ namespace NPT
          const std::vector<std::string> &overrides = {});
     static std::string
     documented_defaults();
+
+    /// The curves of all files. Throws InputError if a table cannot be used, or
+    /// two curves have one name.
+    std::vector<MaterialCurve>
+    read_curves() const;
   };
 
   /// Say what was found in the log, and write the material file, fit.csv and
@@ -58,10 +63,11 @@ namespace NPT
              const bool                        picture,
              RunLog                           &log);
 
-  /// The problem `identification`: read tables, fit, write the material file,
-  /// fit.csv and the picture.
+  /// The problem `identification`: fit the curves that were read, write the
+  /// material file, fit.csv and the picture.
   IdentificationResult
   run_identification(const IdentificationRunParameters &parameters,
+                     const std::vector<MaterialCurve>  &curves,
                      const std::string                 &directory,
                      std::ostream                      &screen);
 } // namespace NPT

@@ -120,6 +120,9 @@ namespace NPT
     /// The complete file with defaults, as it will be kept with the results.
     std::string used_file;
 
+    /// What of the file is not used, in sentences.
+    std::vector<std::string> remarks;
+
     /// Throws InputError with one sentence for the first mistake.
     static MaterialTestParameters
     read(const ParameterText            &text,

@@ -153,6 +153,9 @@ namespace NPT
     /// decides.
     std::string reason_for_side_contact;
 
+    /// What of the file is not used, in sentences.
+    std::vector<std::string> remarks;
+
     /// The complete file with defaults, as it will be kept with the results.
     std::string used_file;
 
