@@ -150,9 +150,11 @@ TEST_CASE("A run that goes on with another number of processes, between stages "
           "[top]")
 {
   const fs::path work = fresh_folder("change_of_processes");
-  const auto     with = [&](const std::string              &stages,
+  std::ofstream(work / "stages.prm") << "# All entries are given by --set.\n";
+  const auto with = [&](const std::string              &stages,
                         const std::vector<std::string> &more) {
     std::vector<std::string> all = coarse;
+    all[0]                       = "stages.prm"; // none has its own subsection
     for (std::string &argument : all)
       if (argument.find("Initial step") != std::string::npos ||
           argument.find("Maximum step") != std::string::npos)
