@@ -74,6 +74,9 @@ namespace NPT
       {
         if (!Launcher::of_this_process().is_present)
           do_without_company();
+        // Where there is no /sys, as in some containers, hwloc would say so on
+        // the screen of every run.
+        setenv("HWLOC_HIDE_ERRORS", "2", 0);
         MPI_Init(nullptr, nullptr);
       }
     n_processes_ = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);

@@ -2,19 +2,27 @@
 // The frame of gnuplot scripts, and calling gnuplot.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/gnuplot.h>
 #include <npt_dealii/io/output_file.h>
 #include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/io/replace_file.h>
 
+#include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <ostream>
+#include <thread>
 #include <vector>
 
 namespace NPT
@@ -28,6 +36,50 @@ namespace NPT
       for (const char c : text)
         result += (c == '\'' ? std::string("'\\''") : std::string(1, c));
       return result + "'";
+    }
+
+    // As std::system(), but not for longer than so many seconds; nothing if the
+    // command had to be ended. It runs in a process group of its own, so that
+    // what a wrapper has started ends with it.
+    std::optional<int>
+    run_command(const std::string &command, const double patience)
+    {
+      posix_spawnattr_t attributes;
+      posix_spawnattr_init(&attributes);
+      posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+      posix_spawnattr_setpgroup(&attributes, 0);
+      std::string shell = "sh", option = "-c", text = command;
+      char *const arguments[] = {shell.data(),
+                                 option.data(),
+                                 text.data(),
+                                 nullptr};
+      pid_t       child       = 0;
+      const int   failure     = posix_spawn(
+        &child, "/bin/sh", nullptr, &attributes, arguments, environ);
+      posix_spawnattr_destroy(&attributes);
+      if (failure != 0)
+        return -1;
+
+      using Clock      = std::chrono::steady_clock;
+      const auto start = Clock::now();
+      int        pause = 1; // ms; a simple picture takes 50
+      for (int status = 0;;)
+        {
+          const pid_t ended = waitpid(child, &status, WNOHANG);
+          if (ended == child)
+            return status;
+          if (ended < 0 && errno != EINTR)
+            return -1;
+          if (std::chrono::duration<double>(Clock::now() - start).count() >
+              patience)
+            break;
+          std::this_thread::sleep_for(std::chrono::milliseconds(pause));
+          pause = pause < 20 ? 2 * pause : 20;
+        }
+      kill(-child, SIGKILL);
+      while (waitpid(child, nullptr, 0) < 0 && errno == EINTR)
+        ;
+      return {};
     }
   } // namespace
 
@@ -163,19 +215,22 @@ namespace NPT
 
 
   std::string
-  run_gnuplot(const std::string &script)
+  run_gnuplot(const std::string &script, const double patience)
   {
     const std::size_t slash = script.find_last_of('/');
     if (slash == std::string::npos)
-      return run_gnuplot(".", {script});
-    return run_gnuplot(script.substr(0, slash + 1), {script.substr(slash + 1)});
+      return run_gnuplot(".", {script}, patience);
+    return run_gnuplot(script.substr(0, slash + 1),
+                       {script.substr(slash + 1)},
+                       patience);
   }
 
 
 
   std::string
   run_gnuplot(const std::string              &folder,
-              const std::vector<std::string> &scripts)
+              const std::vector<std::string> &scripts,
+              const double                    patience)
   {
     std::string command = "cd " + quote_for_shell(folder) + " && gnuplot";
     std::string names;
@@ -188,18 +243,23 @@ namespace NPT
           script;
       }
 
+    const auto status =
+      run_command(command + " >/dev/null 2>&1 </dev/null", patience);
     // 127 is the shell's answer to an unknown program.
-    const int status =
-      std::system((command + " >/dev/null 2>&1 </dev/null").c_str());
-    const bool has_ended = status != -1 && WIFEXITED(status);
-    const bool succeeded = has_ended && WEXITSTATUS(status) == 0;
-    if (!has_ended || WEXITSTATUS(status) != 127)
+    const bool has_ended = status && *status != -1 && WIFEXITED(*status);
+    const bool succeeded = has_ended && WEXITSTATUS(*status) == 0;
+    if (!has_ended || WEXITSTATUS(*status) != 127)
       for (const std::string &script : scripts)
         for (const std::string &picture : pictures_of(folder, script))
           check_picture(picture, succeeded);
+    if (!status)
+      return "gnuplot had not drawn " + names + " after " +
+             short_number(patience) +
+             " s and was ended; a picture may be missing; run it by hand to see "
+             "why.";
     if (succeeded)
       return "";
-    if (has_ended && WEXITSTATUS(status) == 127)
+    if (has_ended && WEXITSTATUS(*status) == 127)
       return "gnuplot was not found, no picture is drawn; install gnuplot and "
              "run it on " +
              names + ".";

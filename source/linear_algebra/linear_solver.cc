@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What all solvers share: when to set up anew, refinement, singular matrices.
 
+#include <npt_dealii/base/available_memory.h>
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
@@ -90,6 +91,35 @@ namespace NPT
             unknown = i;
         }
       return {largest, unknown};
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /*
+     * OpenBLAS 0.3.21 takes a buffer of 128 MB of addresses with its first
+     * product of matrices. If it does not get them (`ulimit -v`), it tries
+     * again for ever. Later products use the same buffer.
+     */
+    void
+    check_buffer_of_blas()
+    {
+      constexpr double buffer  = 0.15; // GB, with what else is due by then
+      static bool      is_kept = false;
+      if (is_kept)
+        return;
+      const double available = available_gigabytes();
+      if (available < buffer)
+        {
+          std::ostringstream detail;
+          detail.precision(2);
+          detail << "the BLAS needs " << buffer << " GB for its buffer, and "
+                 << available << " GB are available";
+          throw OutOfMemory(detail.str());
+        }
+      is_kept = true;
     }
   } // namespace
 
@@ -212,6 +242,7 @@ namespace NPT
     const double start = now();
     usable             = false;
     n_unknowns         = A.n();
+    check_buffer_of_blas();
     try
       {
         factorize_anew(A);

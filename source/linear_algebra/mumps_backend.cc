@@ -207,8 +207,13 @@ namespace NPT
       check(const std::string &phase) const
       {
         const int error = data.infog[0];
+        if (error == -90)
+          throw OutOfMemory(
+            "MUMPS cannot keep its factors on the disk in the " + phase +
+            ": is the folder $MUMPS_OOC_TMPDIR, else "
+            "/tmp, full or not there?");
         if (error == -5 || error == -7 || error == -8 || error == -9 ||
-            error == -13)
+            error == -13 || error == -19 || error == -20)
           throw OutOfMemory("MUMPS ran out of memory in the " + phase +
                             " (INFOG(1) = " + std::to_string(error) + ").");
         if (error < 0)

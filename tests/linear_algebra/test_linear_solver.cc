@@ -326,4 +326,12 @@ TEST_CASE("Factors of MUMPS that do not fit in the memory go to the disk",
     }
   x -= expected;
   CHECK(x.linfty_norm() <= 1e-10 * expected.linfty_norm());
+
+  // Where the disk does not take them either, the memory is what lacks.
+  parameters.maximum_memory += 0.001; // as in the last solver above
+  setenv("MUMPS_OOC_TMPDIR", "/nonexistent/folder", 1);
+  LinearSolver nowhere(parameters);
+  CHECK_THROWS_AS(nowhere.factorize(A), OutOfMemory);
+  CHECK_THROWS_WITH(nowhere.factorize(A), Catch::Contains("on the disk"));
+  unsetenv("MUMPS_OOC_TMPDIR");
 }

@@ -110,6 +110,95 @@ TEST_CASE("Two and three processes give the curve and the files of one",
 
 
 
+namespace
+{
+  // Send SIGTERM to the first process once, when the first step of a stage is
+  // on the screen.
+  ProgramResult
+  run_and_stop(const unsigned int       n,
+               const fs::path          &work,
+               const std::string       &stage,
+               std::vector<std::string> arguments)
+  {
+    const std::string script =
+      "mpirun --oversubscribe -n " + std::to_string(n) +
+      " sh -c 'echo $$ > pid.$OMPI_COMM_WORLD_RANK; exec \"$0\" \"$@\"' \"$@\""
+      " | while read -r step stage rest; do"
+      " if [ \"$stage\" = " +
+      stage +
+      " ] && [ -f pid.0 ]; then kill -TERM $(cat pid.0); rm pid.0; fi; done";
+    std::vector<std::string> all = {"-i",
+                                    "PATH=" + std::string(std::getenv("PATH")),
+                                    "HOME=" + work.string(),
+                                    "OPENBLAS_NUM_THREADS=1",
+                                    "OMPI_ALLOW_RUN_AS_ROOT=1",
+                                    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
+                                    "sh",
+                                    "-c",
+                                    script,
+                                    "sh",
+                                    NPT_PROGRAM};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run_program(work, all, "env");
+  }
+} // namespace
+
+
+
+TEST_CASE("A run that goes on with another number of processes, between stages "
+          "and within one, has the curve of one process",
+          "[top]")
+{
+  const fs::path work = fresh_folder("change_of_processes");
+  std::ofstream(work / "stages.prm") << "# All entries are given by --set.\n";
+  const auto with = [&](const std::string              &stages,
+                        const std::vector<std::string> &more) {
+    std::vector<std::string> all = coarse;
+    all[0]                       = "stages.prm"; // none has its own subsection
+    for (std::string &argument : all)
+      if (argument.find("Initial step") != std::string::npos ||
+          argument.find("Maximum step") != std::string::npos)
+        argument.replace(argument.find("=0.5"), 4, "=0.1");
+    if (stages.find("shear") == std::string::npos)
+      all.resize(4);
+    all.push_back("--set=Load programme/Stages=" + stages);
+    all.push_back("--set=Contact/Method=KTS");
+    all.push_back("--set=Friction/Friction coefficient=0.3");
+    all.push_back("--set=Output/Picture=false");
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  REQUIRE(
+    run_program(work, with("weave, release, shear", {"--output=one"})).status ==
+    0);
+  REQUIRE(run_on(2, work, with("weave", {})).status == 0);
+  REQUIRE(run_program(work, with("weave, release", {"--continue"})).status ==
+          0);
+  run_and_stop(3, work, "shear", with("weave, release, shear", {"--continue"}));
+  CHECK_THAT(read_text(work / "output/summary.csv"),
+             Catch::Contains("interrupted,shear"));
+  run_and_stop(2, work, "shear", with("weave, release, shear", {"--continue"}));
+  const ProgramResult last =
+    run_program(work, with("weave, release, shear", {"--continue"}));
+  INFO(last.err);
+  REQUIRE(last.status == 0);
+  const Table one     = read_table((work / "one/curves.csv").string()),
+              several = read_table((work / "output/curves.csv").string());
+  for (const std::string column : {"load_factor",
+                                   "n1",
+                                   "n2",
+                                   "n3",
+                                   "stored_energy",
+                                   "dissipation",
+                                   "n_slip"})
+    {
+      INFO(column);
+      CHECK(difference(one.column(column), several.column(column)) < 1e-8);
+    }
+}
+
+
+
 TEST_CASE("Of several processes one says what is wrong, with the exit status "
           "of one",
           "[top]")

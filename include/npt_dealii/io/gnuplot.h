@@ -44,10 +44,16 @@ namespace NPT
                        const GnuplotPicture                      &picture,
                        const std::function<void(std::ostream &)> &write_panels);
 
+  /// Seconds that gnuplot may take. The pictures of a plate test of 76,490
+  /// unknowns took it a few; one that waits for ever would keep the run.
+  constexpr double gnuplot_patience = 120;
+
   /**
    * Run gnuplot on a script in the script's folder, or once on several scripts
    * of one folder, which saves half of the time of a simple picture.
    *
+   * @param patience Seconds after which gnuplot, and what it has started, is
+   *   ended.
    * @return Empty if all went well, else a warning of one line: without
    *   gnuplot a run has its numbers and only lacks the picture.
    *
@@ -55,10 +61,12 @@ namespace NPT
    * not tell of a full disk; what there is of the picture is removed.
    */
   std::string
-  run_gnuplot(const std::string &script);
+  run_gnuplot(const std::string &script,
+              const double       patience = gnuplot_patience);
   std::string
   run_gnuplot(const std::string              &folder,
-              const std::vector<std::string> &scripts);
+              const std::vector<std::string> &scripts,
+              const double                    patience = gnuplot_patience);
 } // namespace NPT
 
 #endif

@@ -3,12 +3,14 @@
 // equations of a stage are in plate_test_stage.cc, the loop over load steps in
 // load_step/load_stepper.cc, what is shown in plate_test_results.cc.
 
+#include <npt_dealii/base/available_memory.h>
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/problems/plate_test/cell_preview.h>
 #include <npt_dealii/problems/plate_test/coarser_weaving.h>
 #include <npt_dealii/problems/plate_test/failure_advice.h>
+#include <npt_dealii/problems/plate_test/memory_need.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
 
@@ -36,6 +38,8 @@ namespace NPT
     , contact_checks_(parameters_, log_)
     , linear_solver_(parameters_.linear_solver, ranks_)
     , checkpoint_(std::move(checkpoint))
+    , checkpoint_file_(directory.empty() ? "" :
+                                           directory + "/" + checkpoint_name)
     , last_saved_(std::chrono::steady_clock::now())
   {}
 
@@ -44,8 +48,9 @@ namespace NPT
   void
   NumericalPlateTesting::run()
   {
+    check_memory(); // before it is taken
     make_cell(); // weave pattern -> fiber bundles -> NURBS patches -> contact
-    if (checkpoint_)
+    if (resumes())
       resume();
     else
       results_.begin(*cell_);
@@ -72,12 +77,46 @@ namespace NPT
 
 
 
+  /*
+   * The matrix is shared by the processes, of which each asks its own machine;
+   * what else each has of its own is small in comparison.
+   */
+  void
+  NumericalPlateTesting::check_memory() const
+  {
+    const double share = static_cast<double>(ranks_.n()) /
+                         static_cast<double>(ranks_.n_on_machine());
+    const auto obstacle =
+      obstacle_of_memory(parameters_, share * available_gigabytes());
+    if (ranks_.all(obstacle.empty()))
+      return;
+    const auto &stages = parameters_.load_programme.stages;
+    throw StageFailed(obstacle.empty() ?
+                        "The memory of another machine does not suffice." :
+                        obstacle,
+                      "out of memory",
+                      stages.empty() ? "" : stages.front().name,
+                      0,
+                      0,
+                      OutOfMemory::remedy());
+  }
+
+
+
   void
   NumericalPlateTesting::make_cell()
   {
     TimerOutput::Scope timer(timer_, "Set up");
     cell_  = std::make_unique<PlateCell>(parameters_, ranks_);
     state_ = cell_->initial_state();
+  }
+
+
+
+  bool
+  NumericalPlateTesting::resumes() const
+  {
+    return checkpoint_ && checkpoint_->coarser_mesh == coarser_mesh_;
   }
 
 
@@ -145,14 +184,14 @@ namespace NPT
     results_.begin_stage(stage);
     contact_checks_.warn_of_unwoven_bundles(index);
     stage_ = index;
-    if (!checkpoint_)
+    if (!resumes())
       {
         stage_start_ = state_;
         start_woven_ = woven_;
       }
     try
       {
-        if (checkpoint_ || index > 0 || !weave_from_coarser_mesh())
+        if (resumes() || index > 0 || !weave_from_coarser_mesh())
           run_steps(index,
                     stage_start_,
                     stage.steps,
@@ -200,11 +239,11 @@ namespace NPT
       return PlateTestStage(
         *cell_, parameters_, index, start, start_woven_, system_, &timer_);
     }();
-    if (checkpoint_)
+    if (resumes())
       resume_stage(problem);
     else
       state_ = problem.start();
-    if (checkpoint_ && state_.load_factor == 1.)
+    if (resumes() && state_.load_factor == 1.)
       return; // all that is left is the end of the stage
 
     // Newton: bundles + contact; a step that fails is cut.
@@ -228,7 +267,7 @@ namespace NPT
                                                           step.trial));
         keep_step(step);
       },
-      checkpoint_ ? &checkpoint_->memory : nullptr);
+      resumes() ? &checkpoint_->memory : nullptr);
   }
 
 
@@ -251,13 +290,19 @@ namespace NPT
                                  coarser->mesh.elements_across,
                                  coarser->mesh.elements_through})
       mesh += (mesh.empty() ? "" : " x ") + std::to_string(n);
+    if (checkpoint_)
+      log_.line("The run goes on with weaving on " + checkpoint_->coarser_mesh +
+                " elements.");
     try
       {
         State        start;
         unsigned int n_steps = 0;
         {
           TimerOutput::Scope    timer(timer_, "Coarser mesh");
-          NumericalPlateTesting test(*coarser, "", nowhere, ranks_);
+          NumericalPlateTesting test(
+            *coarser, "", nowhere, ranks_, std::exchange(checkpoint_, {}));
+          test.checkpoint_file_ = checkpoint_file_;
+          test.coarser_mesh_    = mesh;
           test.run();
           start   = carry_over(test.cell(), test.state(), *cell_);
           n_steps = test.curve().size();
@@ -340,6 +385,7 @@ namespace NPT
     PlateTestCheckpoint checkpoint;
     checkpoint.parameters         = parameters_.used_file;
     checkpoint.choices            = choices_of_program(parameters_);
+    checkpoint.coarser_mesh       = coarser_mesh_;
     checkpoint.stage              = stage_;
     checkpoint.stage_start        = stage_start_;
     checkpoint.start_woven        = start_woven_;
@@ -356,7 +402,9 @@ namespace NPT
     else
       checkpoint.has_pattern = false;
     checkpoint.results = results_.memory();
-    if (const auto *folder = OutputFolder::find(results_.directory()))
+    const std::string directory =
+      checkpoint_file_.substr(0, checkpoint_file_.rfind('/'));
+    if (const auto *folder = OutputFolder::find(directory))
       checkpoint.files = folder->files();
     return checkpoint;
   }
@@ -368,13 +416,12 @@ namespace NPT
   void
   NumericalPlateTesting::save()
   {
-    if (n_unsaved_steps_ == 0 || results_.directory().empty() ||
+    if (n_unsaved_steps_ == 0 || checkpoint_file_.empty() ||
         !parameters_.checkpoint.is_wanted())
       return;
     {
       TimerOutput::Scope timer(timer_, "Output");
-      write_checkpoint(results_.directory() + "/" + checkpoint_name,
-                       make_checkpoint());
+      write_checkpoint(checkpoint_file_, make_checkpoint());
     }
     n_unsaved_steps_ = 0;
     last_saved_      = std::chrono::steady_clock::now();

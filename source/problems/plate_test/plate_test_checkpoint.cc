@@ -58,7 +58,8 @@ namespace NPT
             PlateTestCheckpoint &checkpoint,
             const unsigned int)
   {
-    archive &checkpoint.parameters &checkpoint.choices &checkpoint.stage;
+    archive &checkpoint.parameters &checkpoint.choices;
+    archive &checkpoint.coarser_mesh &checkpoint.stage;
     archive &checkpoint.stage_start &checkpoint.start_woven &checkpoint.memory;
     archive &checkpoint.woven &checkpoint.not_elliptic_in;
     archive &checkpoint.overlap_warned_of &checkpoint.has_pattern;

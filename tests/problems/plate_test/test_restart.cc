@@ -8,13 +8,17 @@
 #include <npt_dealii/problems/plate_test/plate_test.h>
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <thread>
 
 #include "plate_run.h"
 
@@ -59,9 +63,9 @@ namespace
 
   /// @param more Replaces entries; those of stages that are no more are
   /// dropped.
-  PlateTestParameters
-  read(const std::vector<std::string> &overrides,
-       const std::vector<std::string> &more = {})
+  std::vector<std::string>
+  merged(const std::vector<std::string> &overrides,
+         const std::vector<std::string> &more)
   {
     const std::string stages     = "Load programme/Stages",
                       stage      = "Load programme/Stage ";
@@ -84,8 +88,15 @@ namespace
             names.find(name.substr(stage.size()) + ",") != std::string::npos)
           kept.push_back(line);
       }
+    return kept;
+  }
+
+  PlateTestParameters
+  read(const std::vector<std::string> &overrides,
+       const std::vector<std::string> &more = {})
+  {
     return PlateTestParameters::read(make_parameter_text("", "small.prm"),
-                                     kept);
+                                     merged(overrides, more));
   }
 
   fs::path
@@ -235,10 +246,37 @@ namespace
             result.push_back(state.u);
           }
         run.state = state;
-        if (stages[i].type != LoadStage::Type::load)
+        if (stages[i].type == LoadStage::Type::weave ||
+            stages[i].type == LoadStage::Type::release)
           run.woven = run.cell.woven_positions(state.u);
       }
     return result;
+  }
+} // namespace
+
+
+
+namespace
+{
+  void
+  check_purity(const std::vector<std::string> &overrides)
+  {
+    const auto straight = drive(overrides, Disturbance::none);
+    for (const auto disturbance :
+         {Disturbance::solve_twice, Disturbance::reject_longer})
+      {
+        const auto disturbed = drive(overrides, disturbance);
+        REQUIRE(disturbed.size() == straight.size());
+        for (unsigned int i = 0; i < straight.size(); ++i)
+          {
+            INFO("step " << i + 1);
+            dealii::Vector<double> difference(disturbed[i]);
+            difference -= straight[i];
+            // The pattern of the matrix may be wider, so round-off differs.
+            CHECK(difference.linfty_norm() <=
+                  1e-10 * straight[i].linfty_norm());
+          }
+      }
   }
 } // namespace
 
@@ -250,24 +288,38 @@ TEST_CASE("What was solved and thrown away before a step does not change it",
   for (const std::string &method : methods)
     for (const std::string &enforcement : enforcements)
       {
-        const auto overrides = small_cell(method, enforcement);
-        const auto straight  = drive(overrides, Disturbance::none);
-        for (const auto disturbance :
-             {Disturbance::solve_twice, Disturbance::reject_longer})
-          {
-            const auto disturbed = drive(overrides, disturbance);
-            REQUIRE(disturbed.size() == straight.size());
-            for (unsigned int i = 0; i < straight.size(); ++i)
-              {
-                INFO(method << ", " << enforcement << ", step " << i + 1);
-                dealii::Vector<double> difference(disturbed[i]);
-                difference -= straight[i];
-                // The pattern of the matrix may be wider, so round-off differs.
-                CHECK(difference.linfty_norm() <=
-                      1e-10 * straight[i].linfty_norm());
-              }
-          }
+        INFO(method << ", " << enforcement);
+        check_purity(small_cell(method, enforcement));
       }
+}
+
+
+
+namespace
+{
+  // Steps in which more than friction remembers: stress that relaxes, a plate
+  // whose neighboring cells turn.
+  const std::vector<std::string> relaxing = {
+    "Load programme/Stages=weave, release, rest, shear",
+    "Load programme/Stage rest/Type=relax",
+    "Load programme/Stage rest/Relaxed fraction=0.6",
+    "Load programme/Stage rest/Initial step=0.25",
+    "Load programme/Stage rest/Maximum step=0.25"};
+  const std::vector<std::string> bending = {
+    "Homogenization/Jumps=objective",
+    "Load programme/Stages=weave, release, bend",
+    "Load programme/Stage bend/Targets=H4: 0.01",
+    "Load programme/Stage bend/Initial step=0.25",
+    "Load programme/Stage bend/Maximum step=0.25"};
+} // namespace
+
+
+
+TEST_CASE("The same while stress relaxes, and in bending with objective jumps",
+          "[plate_test]")
+{
+  check_purity(merged(small_cell("mortar", "penalty"), relaxing));
+  check_purity(merged(small_cell("KTS", "penalty"), bending));
 }
 
 
@@ -346,18 +398,80 @@ TEST_CASE(
   "[plate_test]")
 {
   const auto small = small_cell("KTS", "penalty");
-  check_stopped_run(read(small,
-                         {"Load programme/Stages=weave, release, rest, shear",
-                          "Load programme/Stage rest/Type=relax",
-                          "Load programme/Stage rest/Relaxed fraction=0.6",
-                          "Load programme/Stage rest/Initial step=0.25",
-                          "Load programme/Stage rest/Maximum step=0.25"}));
-  check_stopped_run(read(small,
-                         {"Homogenization/Jumps=objective",
-                          "Load programme/Stages=weave, release, bend",
-                          "Load programme/Stage bend/Targets=H4: 0.01",
-                          "Load programme/Stage bend/Initial step=0.25",
-                          "Load programme/Stage bend/Maximum step=0.25"}));
+  check_stopped_run(read(small, relaxing));
+  check_stopped_run(read(small, bending));
+}
+
+
+
+namespace
+{
+  /// Raises SIGTERM, once, when the checkpoint of a folder becomes another one.
+  class StopAtCheckpoint
+  {
+  public:
+    explicit StopAtCheckpoint(const fs::path &folder)
+      : old_handler(std::signal(SIGTERM, SIG_IGN)) // behind the end of the run
+      , thread([this, file = folder / checkpoint_name]() {
+        const auto time_of = [&]() {
+          std::error_code error;
+          return fs::last_write_time(file, error);
+        };
+        for (const auto before = time_of(); !has_ended;)
+          if (time_of() != before)
+            {
+              kill(getpid(), SIGTERM);
+              return;
+            }
+          else
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+      })
+    {}
+
+    ~StopAtCheckpoint()
+    {
+      has_ended = true;
+      thread.join();
+      std::signal(SIGTERM, old_handler);
+    }
+
+  private:
+    void (*old_handler)(int);
+    std::atomic<bool> has_ended{false};
+    std::thread       thread;
+  };
+} // namespace
+
+
+
+TEST_CASE("So does one that is stopped while it weaves on a coarser mesh",
+          "[plate_test]")
+{
+  const auto     parameters = read(small_cell("mortar", "penalty"),
+                               {"Mesh/Elements along=7",
+                                    "Mesh/Elements across=7",
+                                    "Mesh/Weave on coarser mesh=true",
+                                    "Load programme/Stages=weave, release"});
+  const fs::path straight   = empty_folder("straight"),
+                 stopped    = empty_folder("stopped");
+  REQUIRE(run_in(straight, parameters, false));
+  unsigned int                       n_starts = 0, n_stops_while_weaving = 0;
+  std::optional<PlateTestCheckpoint> checkpoint;
+  for (bool ended = false; !ended; ++n_starts)
+    {
+      REQUIRE(n_starts < 100);
+      {
+        const StopAtCheckpoint watch(stopped);
+        ended = run_in(stopped, parameters, false, checkpoint);
+      }
+      checkpoint = read_checkpoint(stopped.string(), parameters, {});
+      REQUIRE(checkpoint);
+      if (!ended && checkpoint->coarser_mesh == "4 x 4 x 1")
+        ++n_stops_while_weaving;
+    }
+  CHECK(n_stops_while_weaving > 2);
+  CHECK(checkpoint->coarser_mesh.empty());
+  check_same_curves(straight, stopped);
 }
 
 

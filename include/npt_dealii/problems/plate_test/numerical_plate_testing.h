@@ -103,6 +103,9 @@ namespace NPT
     }
 
   private:
+    /// Throws StageFailed if the matrix will not fit into the memory.
+    void
+    check_memory() const;
     void
     make_cell();
     /// Take up the checkpoint.
@@ -128,6 +131,9 @@ namespace NPT
     /// Remember what the next step depends on, and write it if that is due.
     void
     keep_step(const AcceptedStep &step);
+    /// Whether there is a checkpoint, and on this mesh.
+    bool
+    resumes() const;
     PlateTestCheckpoint
     make_checkpoint() const;
     void
@@ -167,7 +173,12 @@ namespace NPT
     bool                                expects_indefinite_ = false;
 
     // Given to go on from, until that is done.
-    std::optional<PlateTestCheckpoint>    checkpoint_;
+    std::optional<PlateTestCheckpoint> checkpoint_;
+
+    // Where checkpoints go; empty: nowhere. A test that weaves for one on a
+    // finer mesh writes that one's.
+    std::string                           checkpoint_file_;
+    std::string                           coarser_mesh_; // if it is such a test
     unsigned int                          n_unsaved_steps_ = 0;
     std::chrono::steady_clock::time_point last_saved_;
   };

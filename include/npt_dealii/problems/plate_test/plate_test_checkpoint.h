@@ -30,6 +30,9 @@ namespace NPT
   {
     /// PlateTestParameters::used_file, and what the program chose by itself.
     std::string parameters, choices;
+    /// Elements of the mesh on which it weaves first, if that is where the test
+    /// is; empty: its own mesh.
+    std::string coarser_mesh;
 
     unsigned int                  stage = 0;   ///< the present one
     State                         stage_start; ///< PlateTestStage's `before`
