@@ -100,7 +100,8 @@ namespace NPT
         const double fiber_44 =
           0.25 * (W_f.second - W_f.first / lambda) * one_over_I4;
 
-        // Area of the section, by q = ln j; change of its shape, by T and q.
+        // Area of the section, by q = ln j; change of its shape, by q and
+        // T = I_1 - I_5/I_4. A suffix is a derivative by an invariant.
         const double q    = s.log_J - std::log(lambda);
         const double j    = std::exp(q);
         const double q_4  = -0.5 * one_over_I4;
@@ -270,6 +271,16 @@ namespace NPT
   void
   DryBundleParameters::add_parameters(dealii::ParameterHandler &prm)
   {
+    add_fiber_fraction(prm);
+    add_moduli(prm);
+    add_buckling(prm);
+  }
+
+
+
+  void
+  DryBundleParameters::add_fiber_fraction(dealii::ParameterHandler &prm)
+  {
     add_parameter(prm,
                   "Fiber modulus",
                   fiber_modulus,
@@ -303,6 +314,13 @@ namespace NPT
                   "Dry bundle: area of the section of a bundle [mm^2], for "
                   "Bundle tex. Its place is in the cell; the law needs it for "
                   "V_0 only.");
+  }
+
+
+
+  void
+  DryBundleParameters::add_moduli(dealii::ParameterHandler &prm)
+  {
     add_parameter(prm,
                   "Transverse modulus",
                   transverse_modulus,
@@ -331,6 +349,13 @@ namespace NPT
                   "Dry bundle: thickness over half wave of the bundle whose "
                   "Bending ratio is given [-]; the half wave of a cantilever "
                   "under its weight is pi/2 times its length.");
+  }
+
+
+
+  void
+  DryBundleParameters::add_buckling(dealii::ParameterHandler &prm)
+  {
     add_parameter(prm,
                   "Compression ratio",
                   compression_ratio,

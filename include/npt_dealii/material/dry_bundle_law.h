@@ -172,6 +172,14 @@ namespace NPT
 
     std::unique_ptr<HyperelasticLaw<3>>
     make_law(const dealii::Tensor<1, 3> &fiber_direction) const override;
+
+  private:
+    void
+    add_fiber_fraction(dealii::ParameterHandler &prm);
+    void
+    add_moduli(dealii::ParameterHandler &prm);
+    void
+    add_buckling(dealii::ParameterHandler &prm);
   };
 } // namespace NPT
 
