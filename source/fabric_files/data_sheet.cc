@@ -100,19 +100,20 @@ namespace NPT
       const auto parts = split_list(text);
       if (parts.empty() || parts.size() > (quantity.one_number ? 1 : 2))
         throw InputError(refusal(quantity, text));
-      std::vector<double> values;
-      std::string         unit;
-      for (std::size_t k = 0; k < parts.size(); ++k)
+      std::vector<double>      values;
+      std::vector<std::string> units;
+      for (const std::string &part : parts)
         {
           std::string rest;
-          values.push_back(number_before(parts[k], rest));
+          values.push_back(number_before(part, rest));
+          units.push_back(rest);
           if (!std::isfinite(values.back()))
             throw InputError(refusal(quantity, text));
-          if (k + 1 < parts.size() && !rest.empty() && rest != "%")
-            throw InputError(refusal(quantity, text) +
-                             "; the unit stands behind the last number");
-          unit = rest;
         }
+      const std::string unit = units.back();
+      if (!units.front().empty() && units.front() != unit)
+        throw InputError(refusal(quantity, text) +
+                         "; the unit stands behind the last number, for both");
       const auto factor = factor_of(quantity.units, unit);
       if (!factor)
         {

@@ -114,6 +114,10 @@ TEST_CASE("A value that is no number with a known unit is refused with the "
                     Catch::Contains("two for warp and weft"));
   CHECK_THROWS_WITH(read_sheet({"Yarn count=34 per inch, 34"}),
                     Catch::Contains("behind the last number"));
+  CHECK_THROWS_WITH(read_sheet({"Yarn count=34 %, 34"}),
+                    Catch::Contains("behind the last number"));
+  CHECK(read_sheet({"Fiber fraction=60 %, 70 %"}).fiber_fraction->warp ==
+        Approx(0.6));
   CHECK_THROWS_WITH(read_sheet({"Areal density=200, 300"}),
                     Catch::Contains("one number"));
   CHECK_THROWS_WITH(read_sheet({"Fiber modulus=72000"}),

@@ -22,7 +22,7 @@ namespace NPT
     /// Of all driving forces, by the trapezoidal rule.
     double work        = 0;
     double dissipation = 0;
-    /// What the energies lose at this state per fraction of relaxed stress; its
+    /// What contact loses at this state per fraction of relaxed stress; its
     /// integral is dissipated.
     double relaxation_rate = 0;
     /// Sum of |Delta n| |Delta H| / 2 over steps and driving forces n: by so
