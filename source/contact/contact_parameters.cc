@@ -257,7 +257,7 @@ namespace NPT
       "doc/theory.md: a list of 'angle: coefficient', as 0: 0.35, 45: 0.27, "
       "90: 0.22, angles rising from 0 to 90 [degree], coefficients >= 0 [-]; "
       "linear between, constant beyond. It takes the place of Friction "
-      "coefficient, which must be > 0. none: the same at every angle.");
+      "coefficient, which must be > 0. Empty: the same at every angle.");
     add_parameter(
       prm,
       "Dynamic friction ratio",

@@ -40,7 +40,7 @@ namespace NPT
     for (const auto &[angle, mu] : table.values)
       result += (result.empty() ? "" : ", ") + EntryValue<double>::text(angle) +
                 ": " + EntryValue<double>::text(mu);
-    return result.empty() ? "none" : result;
+    return result;
   }
 
 
@@ -49,8 +49,6 @@ namespace NPT
   EntryValue<FrictionTable>::value(const std::string &text)
   {
     FrictionTable table;
-    if (dealii::Utilities::trim(text) == "none")
-      return table;
     for (const std::string &pair : split_list(text))
       {
         const std::size_t colon = pair.find(':');
@@ -84,7 +82,9 @@ namespace NPT
   std::unique_ptr<dealii::Patterns::PatternBase>
   EntryValue<FrictionTable>::pattern()
   {
-    return std::make_unique<dealii::Patterns::Anything>();
+    namespace Patterns = dealii::Patterns;
+    return std::make_unique<Patterns::Map>(Patterns::Double(0., 90.),
+                                           Patterns::Double(0.));
   }
 
 

@@ -179,7 +179,7 @@ TEST_CASE("A table with one value gives the bits of the constant coefficient",
   for (const auto method :
        {ContactParameters::Method::mortar, ContactParameters::Method::KTS})
     {
-      Strips constant(0.7, of_yarns("none"), method),
+      Strips constant(0.7, of_yarns(""), method),
         table(0.7, of_yarns("0: 0.3, 45: 0.3, 90: 0.3"), method);
       for (const double to : {0.002, 0.004, 0.02})
         {
@@ -199,7 +199,7 @@ TEST_CASE("A sliding block falls from static to dynamic friction by the slip "
           "that was accepted",
           "[contact]")
 {
-  FrictionParameters friction = of_yarns("none");
+  FrictionParameters friction = of_yarns("");
   friction.dynamic_ratio      = 0.5;
   friction.slip_length        = 0.02;
   Strips     strips(0.3, friction);
@@ -295,7 +295,7 @@ TEST_CASE("Fibers across the parameters of a surface count by their own "
           "direction, also when the body is stretched",
           "[contact]")
 {
-  const Strips          strips(0., of_yarns("none"));
+  const Strips          strips(0., of_yarns(""));
   ContactSurface<3>     surface(strips.secondary);
   std::vector<Point<3>> positions;
   for (unsigned int l = 0; l < strips.secondary.n_control_points(); ++l)
@@ -321,7 +321,7 @@ TEST_CASE("Tables of friction are read as they are written, and wrong ones are "
   const std::string text = "0: 0.35, 45.5: 0.27, 90: 0";
   CHECK(EntryValue<FrictionTable>::text(
           EntryValue<FrictionTable>::value(text)) == text);
-  CHECK(EntryValue<FrictionTable>::text(FrictionTable()) == "none");
+  CHECK(EntryValue<FrictionTable>::text(FrictionTable()).empty());
   using Catch::Matchers::Contains;
   const auto refused = [](const std::string &table, const std::string &words) {
     CHECK_THROWS_WITH(EntryValue<FrictionTable>::value(table),

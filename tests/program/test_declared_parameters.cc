@@ -77,6 +77,8 @@ namespace
                                            "0.75",
                                            "H1: 0.5",
                                            "H11: 0.5",
+                                           "45: 0.25",
+                                           "gmsh",
                                            "word"};
     for (const std::string list : {"true|false", "NURBS|Bernstein", "dilation"})
       for (const auto &word : dealii::Utilities::split_string_list(list, '|'))

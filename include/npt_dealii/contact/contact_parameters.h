@@ -90,7 +90,7 @@ namespace NPT
     Values values;
   };
 
-  /// "none" or "0: 0.35, 45: 0.27, 90: 0.22". Throws InputError for another.
+  /// "" or "0: 0.35, 45: 0.27, 90: 0.22". Throws InputError for another.
   template <>
   struct EntryValue<FrictionTable>
   {
