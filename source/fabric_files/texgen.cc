@@ -114,8 +114,8 @@ namespace NPT
       [[noreturn]] void
       refuse(const std::string &what) const
       {
-        throw InputError("The TexGen file " + file_ + " cannot be used: " +
-                         printable(what) + ".");
+        throw InputError("The TexGen file " + file_ +
+                         " cannot be used: " + printable(what) + ".");
       }
 
       ImportedWeave
