@@ -48,6 +48,20 @@ namespace NPT
              name != list_name && name.find('/') == std::string::npos;
     }
 
+    // A disk that takes a part of a text only tells the reason with the rest.
+    bool
+    write_all(const int file, const std::string &text)
+    {
+      for (std::size_t done = 0; done < text.size();)
+        {
+          const ssize_t n = write(file, text.data() + done, text.size() - done);
+          if (n < 0 && errno != EINTR)
+            return false;
+          done += std::max<ssize_t>(n, 0);
+        }
+      return true;
+    }
+
     void
     remove_file(const std::string &directory, const std::string &name)
     {
@@ -144,8 +158,7 @@ namespace NPT
     for (const std::string &file : files_)
       text += file + "\n";
     if ((ftruncate(list_, 0) != 0 && errno != EINVAL) ||
-        write(list_, text.data(), text.size()) !=
-          static_cast<ssize_t>(text.size()))
+        !write_all(list_, text))
       throw OutputError(directory_ + "/" + list_name, std::strerror(errno));
   }
 
@@ -158,8 +171,7 @@ namespace NPT
         std::find(files_.begin(), files_.end(), name) != files_.end())
       return;
     const std::string line = name + "\n";
-    if (write(list_, line.data(), line.size()) !=
-        static_cast<ssize_t>(line.size()))
+    if (!write_all(list_, line))
       throw OutputError(directory_ + "/" + list_name, std::strerror(errno));
     files_.push_back(name);
   }

@@ -105,39 +105,39 @@ namespace Fuzz
     switch (dice.below(8))
       {
         case 0:
-          mutant.mutation = "cut short";
+          mutant.mutation = "damaged, cut short";
           mutant.text.resize(at);
           break;
         case 1:
-          mutant.mutation = "bytes lost";
+          mutant.mutation = "damaged, bytes lost";
           mutant.text.erase(at, size);
           break;
         case 2:
-          mutant.mutation = "bytes repeated";
+          mutant.mutation = "damaged, bytes repeated";
           for (unsigned int i = 0; i < 20; ++i)
             mutant.text.insert(at, piece);
           break;
         case 3:
-          mutant.mutation = "bit flipped";
+          mutant.mutation = "damaged, bit flipped";
           if (at < text.size())
             mutant.text[at] ^= static_cast<char>(1 << dice.below(8));
           break;
         case 4:
-          mutant.mutation = "random bytes";
+          mutant.mutation = "damaged, random bytes";
           for (std::size_t i = 0; i < size; ++i)
             mutant.text.insert(at, 1, static_cast<char>(1 + dice.below(255)));
           break;
         case 5:
-          mutant.mutation = "zero byte";
+          mutant.mutation = "damaged, zero byte";
           mutant.text.insert(at, 1, '\0');
           mutant.expected = Expected::refusal;
           break;
         case 6:
-          mutant.mutation = "halves swapped";
+          mutant.mutation = "damaged, halves swapped";
           mutant.text     = text.substr(at) + text.substr(0, at);
           break;
         default:
-          mutant.mutation = "empty file";
+          mutant.mutation = "damaged, empty file";
           mutant.text     = dice.one_of(2) ? "" : "\n\n";
       }
     return mutant;
