@@ -199,8 +199,9 @@ TEST_CASE(
 TEST_CASE("The pins of a woven cell carry no force in any mode", "[top]")
 {
   // Nothing outside of the cell pushes: whatever bundles exert on each other,
-  // the cell as a whole is in equilibrium. The forces are summed as linear jumps
-  // do it; for those that turn neighboring cells see test_objective_jumps.cc.
+  // the cell as a whole is in equilibrium. The forces are summed as linear
+  // jumps do it; for those that turn neighboring cells see
+  // test_objective_jumps.cc.
   for (unsigned int m = 0; m < 6; ++m)
     {
       INFO("H" << m + 1);
