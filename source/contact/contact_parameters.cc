@@ -101,7 +101,7 @@ namespace NPT
       "Automatic penalties",
       automatic_penalties,
       "Plate test: Normal penalty and Tangential penalty are both 50 times the "
-      "stiffness of the bundles, E_T / thickness, (A74) of doc/theory.md; what "
+      "stiffness of the bundles, E_T / thickness, (A43) of doc/theory.md; what "
       "the file says of them does not count then.");
     add_parameter(
       prm,

@@ -189,7 +189,7 @@ namespace NPT
                     1.,
                     1e5,
                     false,
-                    "Mass per length of a bundle, T in (A70) of doc/theory.md "
+                    "Mass per length of a bundle, T in (A39) of doc/theory.md "
                     "[tex = g/km]; also dtex, denier."});
       add_quantity(prm,
                    sheet.fiber_density,
@@ -242,7 +242,7 @@ namespace NPT
                     SheetTolerance::packing,
                     false,
                     "Part of the section of a bundle that is fibers, v in "
-                    "(A70) [-]; also %. Usual is .5 to .75; .907 is the "
+                    "(A39) [-]; also %. Usual is .5 to .75; .907 is the "
                     "hexagonal packing."});
     }
 
@@ -278,7 +278,7 @@ namespace NPT
                     1.,
                     false,
                     "By how much a bundle is longer than the fabric [%]. A "
-                    "check, or else the thickness follows from it, (A71)."});
+                    "check, or else the thickness follows from it, (A40)."});
     }
   } // namespace
 

@@ -193,7 +193,7 @@ namespace NPT
         return section(width, thickness).area();
       }
 
-      // (A70) for the one that is not known.
+      // (A39) for the one that is not known.
       void
       complete_section(SheetFamily &f)
       {
@@ -233,7 +233,7 @@ namespace NPT
           }
         if (!what.empty())
           note("The " + f.name + " " + what +
-               ", follows from the rest of (A70)");
+               ", follows from the rest of (A39)");
       }
 
       void
@@ -299,7 +299,7 @@ namespace NPT
                              families_[k].changes);
       }
 
-      // (A72): where bundles touch, their middle lines are half the sum of the
+      // (A41): where bundles touch, their middle lines are half the sum of the
       // thicknesses apart.
       void
       set_waves()
@@ -337,7 +337,7 @@ namespace NPT
         if (families_[0].crimp)
           of_sheet_text = "; the sheet says " + percent(*families_[0].crimp) +
                           " and " + percent(*families_[1].crimp);
-        note("Crimp by the geometry (A71): warp " + percent(crimp[0]) +
+        note("Crimp by the geometry (A40): warp " + percent(crimp[0]) +
              ", weft " + percent(crimp[1]) + of_sheet_text);
       }
 

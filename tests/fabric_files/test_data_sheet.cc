@@ -140,7 +140,7 @@ TEST_CASE(
   CHECK(design.cell.crossing_spacing.warp == 5.);
   CHECK(design.cell.crossing_spacing.weft == 4.);
   CHECK(design.cell.bundle_width.weft == 3.);
-  // (A70): 2000 tex of 2.5 g/cm^3 fill 0.8 mm^2; the lens has 2/3 w t (1 +
+  // (A39): 2000 tex of 2.5 g/cm^3 fill 0.8 mm^2; the lens has 2/3 w t (1 +
   // e/t).
   CHECK(design.fiber_fraction.warp ==
         Approx(0.8 / (2. / 3. * 4. * 0.5 * 1.1)).epsilon(1e-12));

@@ -37,7 +37,7 @@ namespace NPT
     /// Numbers of all normal laws by entry, see NamedNormalLaw::numbers.
     OwnValues normal_law_numbers;
     double    normal_penalty = 100.; ///< epsilon_N [N/mm^3]
-    /// Normal and tangential penalty follow from the bundles (A74).
+    /// Normal and tangential penalty follow from the bundles (A43).
     bool         automatic_penalties = false;
     unsigned int n_quadrature_points = 0;    ///< 0: degree + 1
     double       maximum_penetration = 0.5;  ///< fraction of thickness

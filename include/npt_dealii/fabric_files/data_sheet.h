@@ -105,13 +105,13 @@ namespace NPT
    * Derive a cell and its materials from a data sheet.
    *
    * With the tex number T, the fiber density rho and the section A of a bundle
-   * the fiber fraction is (A70)
+   * the fiber fraction is (A39)
    *
    * @f[ v = \frac{T}{\rho A} , @f]
    *
    * which gives any one of T, rho, v, width and thickness from the others. A
    * thickness that is not given otherwise is half of that of the fabric, or
-   * what the crimp needs: bundles that touch have (A72)
+   * what the crimp needs: bundles that touch have (A41)
    *
    * @f[ h_{warp} + h_{weft} = \frac12 (t_{warp} + t_{weft}), \quad
    *     m = \sum_i n_i T_i (1 + c_i), \quad

@@ -18,7 +18,7 @@ namespace NPT
    *         \sqrt{1 + s^2} \, E(k) - 1 \right), \quad
    *     s = \frac{\pi h}{\bar L}, \quad k^2 = \frac{s^2}{1 + s^2} , @f]
    *
-   * (A71), with the complete elliptic integral E of the second kind.
+   * (A40), with the complete elliptic integral E of the second kind.
    *
    * @param height Amplitude h of the middle line [mm].
    * @param spacing Distance Lbar between the bundles across [mm].
@@ -39,7 +39,7 @@ namespace NPT
    *
    * @f[ \mu = G_T, \quad \lambda = \tfrac23 G_T, \quad a = G_T - G_L, \quad
    *     b = d = 0, \quad 8 c = E_L - \lambda - 2 \mu + 4 a
-   *     + \frac{\lambda^2}{\lambda + \mu} . \quad (A73) @f]
+   *     + \frac{\lambda^2}{\lambda + \mu} . \quad (A42) @f]
    *
    * Any positive moduli make a stable solid; Debug: asserts them.
    */

@@ -85,7 +85,7 @@ namespace NPT
 
   namespace
   {
-    // (A74), the number in the text of the entry Automatic penalties.
+    // (A43), the number in the text of the entry Automatic penalties.
     const double automatic_ratio = 50.;
 
     // Mean of warp and weft [mm^3/N].

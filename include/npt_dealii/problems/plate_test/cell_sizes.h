@@ -42,7 +42,7 @@ namespace NPT
   penalty_over_stiffness(const PlateTestParameters &parameters);
 
   /**
-   * The penalty that penalty_over_stiffness() calls 50 [N/mm^3], (A74): bundles
+   * The penalty that penalty_over_stiffness() calls 50 [N/mm^3], (A43): bundles
    * under a pressure are pressed in by a fiftieth of what they are compressed.
    */
   double
