@@ -78,6 +78,7 @@ namespace
                                            "H1: 0.5",
                                            "H11: 0.5",
                                            "45: 0.25",
+                                           "0.25, 0.5",
                                            "gmsh",
                                            "word"};
     for (const std::string list : {"true|false", "NURBS|Bernstein", "dilation"})
