@@ -127,6 +127,8 @@ namespace NPT
     replace_file(script, [&](std::ostream &out) {
       out << "# Draws " << picture.name << ".svg and " << picture.name
           << ".png. Change it and run `gnuplot` on it in this folder.\n"
+          // What the script before it has set, if there was one.
+          << "reset\n"
           << "set datafile separator comma\n"
           << "set datafile columnheaders\n"
           << "set grid linecolor rgb '#dddddd' linetype 1 linewidth 1\n"

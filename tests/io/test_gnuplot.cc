@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 using namespace NPT;
 using Catch::Contains;
@@ -84,4 +85,35 @@ TEST_CASE("What gnuplot answers is told apart", "[io]")
     CHECK_THAT(run_gnuplot((crashing.folder / "a.gp").string()),
                Contains("gnuplot failed on"));
   }
+}
+
+
+
+TEST_CASE("A picture that is drawn after another one has nothing of it", "[io]")
+{
+  const fs::path folder = fs::path(NPT_BINARY_DIR) / "test_gnuplot_files";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const auto write = [&](const std::string &name, const std::string &settings) {
+    write_gnuplot_script((folder / (name + ".gp")).string(),
+                         {name, 200, 100, 1, 1, "", settings},
+                         [](std::ostream &out) { out << "plot x\n"; });
+  };
+  write("first", "set title 'contact'; set xlabel 'of the first'");
+  write("second", "");
+  const auto picture = [&]() {
+    std::ifstream     in(folder / "second.svg");
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+  };
+  if (!run_gnuplot((folder / "second.gp").string()).empty())
+    {
+      WARN("gnuplot is not installed");
+      return;
+    }
+  const std::string alone = picture();
+  REQUIRE(alone.size() > 100);
+  CHECK(run_gnuplot(folder.string(), {"first.gp", "second.gp"}).empty());
+  CHECK(picture() == alone);
 }

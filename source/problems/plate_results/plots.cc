@@ -252,7 +252,9 @@ namespace NPT
           else
             panel.y_columns = {"n_active"};
           panel.y_label = "contact points";
-          if (range_of(group.rows, "dissipation") > 0.)
+          // Less growth could not be read beside the dissipation before.
+          if (range_of(group.rows, "dissipation") >
+              1e-3 * curve_value(group.rows.back(), "dissipation"))
             panel.y2_columns = {"dissipation"};
         }
       else
