@@ -162,7 +162,8 @@ TEST_CASE("What keeps a file from being read is said in the system's words",
   if (pid == 0)
     {
       const bool is_other = geteuid() != 0 || setuid(65534) == 0;
-      _exit(is_other &&
+      // Some containers know no other user.
+      _exit(!is_other ||
                 read(inside) ==
                   "file '" + inside + "' cannot be read: Permission denied" ?
               0 :
