@@ -300,8 +300,8 @@ namespace NPT
     // What is described and not run: Further stages, and those of an earlier
     // list that a later one leaves out, that of --set or of a file that
     // includes another one.
-    ParameterText
-    without_dropped_stages(const ParameterText &text, const std::string &stages)
+    std::set<std::string>
+    dropped_stages(const ParameterText &text, const std::string &stages)
     {
       const auto            kept = split_list(stages);
       std::set<std::string> dropped;
@@ -310,8 +310,34 @@ namespace NPT
             path == "Load programme/Further stages")
           for (const std::string &name : split_list(statement.value))
             if (std::count(kept.begin(), kept.end(), name) == 0)
-              dropped.insert("Stage " + name);
+              dropped.insert(name);
       });
+      return dropped;
+    }
+
+    // A mistake in a stage that is not run is one on the day when it is run.
+    void
+    check_dropped_stages(const ParameterText            &text,
+                         const std::vector<std::string> &overrides,
+                         const LoadProgramme            &programme,
+                         const std::set<std::string>    &dropped)
+    {
+      std::string all;
+      for (const LoadStage &stage : programme.stages)
+        all += stage.name + ", ";
+      for (const std::string &name : dropped)
+        all += name + ", ";
+      PlateTestParameters described;
+      described.load_programme = LoadProgramme(all.substr(0, all.size() - 2));
+      dealii::ParameterHandler prm;
+      described.add_parameters(prm);
+      parse_parameter_text(prm, text, overrides);
+    }
+
+    ParameterText
+    without_stages(const ParameterText         &text,
+                   const std::set<std::string> &dropped)
+    {
       using Kind = ParameterText::Kind;
       ParameterText            result;
       std::vector<std::string> path;
@@ -322,7 +348,9 @@ namespace NPT
             {
               path.push_back(statement.name);
               if (depth_of_dropped == 0 && path.size() == 2 &&
-                  path[0] == "Load programme" && dropped.count(path[1]) > 0)
+                  path[0] == "Load programme" &&
+                  path[1].compare(0, 6, "Stage ") == 0 &&
+                  dropped.count(path[1].substr(6)) > 0)
                 depth_of_dropped = path.size();
             }
           if (depth_of_dropped == 0)
@@ -417,9 +445,17 @@ namespace NPT
     const std::string stages =
       get_entry(text, overrides, "Load programme/Stages").value_or("");
     parameters.load_programme = LoadProgramme(stages);
+    if (const auto dropped = dropped_stages(text, stages); !dropped.empty())
+      {
+        check_dropped_stages(text,
+                             overrides,
+                             parameters.load_programme,
+                             dropped);
+        text = without_stages(text, dropped);
+      }
     dealii::ParameterHandler prm;
     parameters.add_parameters(prm);
-    parse_parameter_text(prm, without_dropped_stages(text, stages), overrides);
+    parse_parameter_text(prm, text, overrides);
     parameters.complete();
     parameters.used_file = documented_parameters(prm);
     return parameters;

@@ -201,6 +201,16 @@ TEST_CASE(
                           stage("pul", "set Targets = n1: 1") + "end\n",
                         "weave, release, shear"),
                   InputError);
+  // What is wrong in them is wrong today.
+  const std::string further =
+    "subsection Load programme\nset Further stages = pull\n";
+  CHECK_THROWS_AS(later(further + stage("pull", "set Initial step = pi") +
+                          "end\n",
+                        "weave, release"),
+                  InputError);
+  CHECK_NOTHROW(
+    later(further + stage("pull", "set Initial step = 0.1") + "end\n",
+          "weave, release"));
 }
 
 
