@@ -17,6 +17,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <sstream>
 #include <tuple>
 
@@ -248,13 +249,26 @@ namespace NPT
         statement.file += " (Reference)";
       const auto [entries, others] =
         extract_subsection(without_reference, "Study");
-      study              = in_subsections(entries, {"Study"});
-      unsigned int depth = 0;
+      study = in_subsections(entries, {"Study"});
+      unsigned int                        depth = 0;
+      std::map<std::string, unsigned int> lines; // of Problem
       for (const auto &statement : others.statements)
         {
           if (statement.kind == StatementKind::set && depth == 0 &&
               statement.name == "Problem")
-            continue;
+            {
+              // As of every entry, a file says it once.
+              const auto [first, is_new] =
+                lines.emplace(statement.file, statement.line);
+              if (!is_new && first->second != statement.line)
+                throw InputError(
+                  statement.file + ":" + std::to_string(statement.line) +
+                  ": entry 'Problem' outside all subsections is already set in "
+                  "line " +
+                  std::to_string(first->second) +
+                  " of this file; keep only one of the two");
+              continue;
+            }
           depth += statement.kind == StatementKind::subsection;
           depth -= statement.kind == StatementKind::end;
           plate.statements.push_back(statement);
