@@ -34,6 +34,7 @@ extern "C"
            "leak:libfabric\n"
            "leak:libpciaccess\n"
            "leak:mca_\n"
+           "leak:libmumps_common\n"       // names of files with factors
            "leak:__vasprintf_internal\n"; // of Open MPI; nobody here calls it
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tolerances from parameter files, and the sentences on those that are missed.
 
+#include <npt_dealii/base/describe_pattern.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/verification/comparison.h>
@@ -30,6 +31,9 @@ namespace NPT
                        "'; it must be none, a number >= 0, or one in per cent "
                        "like 1 % (subsection " +
                        subsection + ").");
+    if (const std::string fault = number_beyond_doubles(text); !fault.empty())
+      throw InputError(entry + " is " + fault + " (subsection " + subsection +
+                       ").");
     return rest == "%" ? tolerance / 100. : tolerance;
   }
 
