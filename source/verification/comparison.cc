@@ -26,7 +26,8 @@ namespace NPT
     const double      tolerance = std::strtod(text.c_str(), &end);
     const std::string rest      = dealii::Utilities::trim(end);
     if (end == text.c_str() || !(tolerance >= 0.) ||
-        !std::isfinite(tolerance) || (!rest.empty() && rest != "%"))
+        !std::isfinite(tolerance) || (!rest.empty() && rest != "%") ||
+        text.find_first_of("xX") != std::string::npos) // of 0x10
       throw InputError(entry + " is '" + value +
                        "'; it must be none, a number >= 0, or one in per cent "
                        "like 1 % (subsection " +

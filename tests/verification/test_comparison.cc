@@ -90,7 +90,8 @@ TEST_CASE("Tolerances are numbers, per cent or none, in entries named by the "
   CHECK(tolerances.at("peak pressure") == Approx(0.015).epsilon(1e-15));
   CHECK(tolerances.at("force ratio Q/P") == 0.25);
 
-  for (const std::string text : {"1 mm", "-1", "nan", "%", "", "1e-400"})
+  for (const std::string text :
+       {"1 mm", "-1", "nan", "%", "", "1e-400", "0x10"})
     CHECK_THROWS_AS(parse_tolerance(text, "Half width", "Tolerances"),
                     InputError);
 }
