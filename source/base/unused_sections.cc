@@ -37,38 +37,24 @@ namespace NPT
 
 
 
-  std::vector<std::string>
-  remove_unused_sections(ParameterText                  &text,
-                         const std::vector<std::string> &overrides,
-                         const ListOfSections           &list)
+  std::vector<ParameterText::Statement>
+  take_out_subsections(ParameterText               &text,
+                       const std::string           &section,
+                       const std::set<std::string> &names)
   {
     using Kind = ParameterText::Kind;
-    auto items =
-      dropped_items(text, overrides, list.section + "/" + list.entry);
-    for (const std::string &item : list.always_there)
-      items.erase(item);
-    std::vector<std::string> remarks;
-    if (items.empty())
-      return remarks;
-    std::set<std::string> names;
-    for (const std::string &item : items)
-      names.insert(list.prefix + item);
-
     std::vector<std::string>              path; // of the present subsection
     std::size_t                           depth_of_unused = 0;
-    std::vector<ParameterText::Statement> kept;
+    std::vector<ParameterText::Statement> kept, taken_out;
     for (const ParameterText::Statement &statement : text.statements)
       {
         if (statement.kind == Kind::subsection)
           {
             if (depth_of_unused == 0 && path.size() == 1 &&
-                path[0] == list.section && names.count(statement.name) > 0)
+                path[0] == section && names.count(statement.name) > 0)
               {
                 depth_of_unused = 2;
-                remarks.push_back(at_line(statement.file, statement.line) +
-                                  "subsection " + in_quotes(statement.name) +
-                                  " is not used, because " + list.entry +
-                                  " no longer names it.");
+                taken_out.push_back(statement);
               }
             path.push_back(statement.name);
           }
@@ -82,6 +68,28 @@ namespace NPT
           }
       }
     text.statements = kept;
+    return taken_out;
+  }
+
+
+
+  std::vector<std::string>
+  remove_unused_sections(ParameterText                  &text,
+                         const std::vector<std::string> &overrides,
+                         const ListOfSections           &list)
+  {
+    auto items =
+      dropped_items(text, overrides, list.section + "/" + list.entry);
+    for (const std::string &item : list.always_there)
+      items.erase(item);
+    std::set<std::string> names;
+    for (const std::string &item : items)
+      names.insert(list.prefix + item);
+    std::vector<std::string> remarks;
+    for (const auto &begin : take_out_subsections(text, list.section, names))
+      remarks.push_back(at_line(begin.file, begin.line) + "subsection " +
+                        in_quotes(begin.name) + " is not used, because " +
+                        list.entry + " no longer names it.");
     return remarks;
   }
 } // namespace NPT

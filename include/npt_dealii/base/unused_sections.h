@@ -7,6 +7,7 @@
 
 #include <npt_dealii/base/parameter_text.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,19 @@ namespace NPT
     /// Items that have a subsection in any case.
     std::vector<std::string> always_there = {};
   };
+
+  /**
+   * Take subsections out of a text.
+   *
+   * @param text    Changed.
+   * @param section Outermost subsection in which they stand.
+   * @param names   Of them.
+   * @return Where they began.
+   */
+  std::vector<ParameterText::Statement>
+  take_out_subsections(ParameterText               &text,
+                       const std::string           &section,
+                       const std::set<std::string> &names);
 
   /**
    * Take the subsections out of a text whose items an earlier value of the list

@@ -297,72 +297,34 @@ namespace NPT
                   "linear: neighboring cells do not turn, because " + obstacle;
     }
 
-    // What is described and not run: Further stages, and those of an earlier
-    // list that a later one leaves out, that of --set or of a file that
-    // includes another one.
-    std::set<std::string>
-    dropped_stages(const ParameterText &text, const std::string &stages)
-    {
-      const auto            kept = split_list(stages);
-      std::set<std::string> dropped;
-      visit_entries(text, [&](const std::string &path, const auto &statement) {
-        if (path == "Load programme/Stages" ||
-            path == "Load programme/Further stages")
-          for (const std::string &name : split_list(statement.value))
-            if (std::count(kept.begin(), kept.end(), name) == 0)
-              dropped.insert(name);
-      });
-      return dropped;
-    }
-
-    // A mistake in a stage that is not run is one on the day when it is run.
+    // Take the stages out of a text that it describes and that are not run. A
+    // mistake in them would be one on the day when they are run, so that they
+    // are read before.
     void
-    check_dropped_stages(const ParameterText            &text,
-                         const std::vector<std::string> &overrides,
-                         const LoadProgramme            &programme,
-                         const std::set<std::string>    &dropped)
+    set_aside_further_stages(ParameterText                  &text,
+                             const std::vector<std::string> &overrides,
+                             const LoadProgramme            &programme,
+                             const std::vector<std::string> &further)
     {
-      std::string all;
+      std::string           all;
+      std::set<std::string> unused;
+      for (const std::string &name : further)
+        unused.insert("Stage " + name);
       for (const LoadStage &stage : programme.stages)
-        all += stage.name + ", ";
-      for (const std::string &name : dropped)
-        all += name + ", ";
+        {
+          all += (all.empty() ? "" : ", ") + stage.name;
+          unused.erase("Stage " + stage.name);
+        }
+      if (unused.empty())
+        return;
+      for (const std::string &section : unused)
+        all += ", " + section.substr(6);
       PlateTestParameters described;
-      described.load_programme = LoadProgramme(all.substr(0, all.size() - 2));
+      described.load_programme = LoadProgramme(all);
       dealii::ParameterHandler prm;
       described.add_parameters(prm);
       parse_parameter_text(prm, text, overrides);
-    }
-
-    ParameterText
-    without_stages(const ParameterText         &text,
-                   const std::set<std::string> &dropped)
-    {
-      using Kind = ParameterText::Kind;
-      ParameterText            result;
-      std::vector<std::string> path;
-      std::size_t              depth_of_dropped = 0; // none
-      for (const auto &statement : text.statements)
-        {
-          if (statement.kind == Kind::subsection)
-            {
-              path.push_back(statement.name);
-              if (depth_of_dropped == 0 && path.size() == 2 &&
-                  path[0] == "Load programme" &&
-                  path[1].compare(0, 6, "Stage ") == 0 &&
-                  dropped.count(path[1].substr(6)) > 0)
-                depth_of_dropped = path.size();
-            }
-          if (depth_of_dropped == 0)
-            result.statements.push_back(statement);
-          if (statement.kind == Kind::end)
-            {
-              if (path.size() == depth_of_dropped)
-                depth_of_dropped = 0;
-              path.pop_back();
-            }
-        }
-      return result;
+      take_out_subsections(text, "Load programme", unused);
     }
   } // namespace
 
@@ -436,23 +398,20 @@ namespace NPT
                             const std::vector<std::string> &overrides)
   {
     PlateTestParameters parameters;
-    ParameterText       text = given_text;
+    ParameterText       text    = given_text;
+    const auto          further = split_list(
+      get_entry(text, overrides, "Load programme/Further stages").value_or(""));
     parameters.remarks =
       remove_unused_sections(text,
                              overrides,
-                             {"Load programme", "Stages", "Stage "});
+                             {"Load programme", "Stages", "Stage ", further});
     // The names of the stages decide what else there is to declare.
-    const std::string stages =
-      get_entry(text, overrides, "Load programme/Stages").value_or("");
-    parameters.load_programme = LoadProgramme(stages);
-    if (const auto dropped = dropped_stages(text, stages); !dropped.empty())
-      {
-        check_dropped_stages(text,
+    parameters.load_programme = LoadProgramme(
+      get_entry(text, overrides, "Load programme/Stages").value_or(""));
+    set_aside_further_stages(text,
                              overrides,
                              parameters.load_programme,
-                             dropped);
-        text = without_stages(text, dropped);
-      }
+                             further);
     dealii::ParameterHandler prm;
     parameters.add_parameters(prm);
     parse_parameter_text(prm, text, overrides);
