@@ -97,22 +97,27 @@ namespace NPT
       return {make_parameter_text(content, file), content};
     }
 
+    /// Whatever is executed with the same arguments finds what the pipe had.
+    void
+    hand_on(const ParameterSource &source,
+            const std::string     &parameter_file,
+            char                 **argv)
+    {
+      static std::string file;
+      if (!source.content)
+        return;
+      file = copy_of_stream(*source.content);
+      for (char **argument = argv + 1; *argument != nullptr; ++argument)
+        if (*argument == parameter_file)
+          *argument = file.data();
+    }
+
     /// Start the program that stands beside this one, with the same arguments.
     [[noreturn]] void
-    start_beside(const Program         &program,
-                 const std::string     &problem,
-                 const std::string     &parameter_file,
-                 const ParameterSource &source,
-                 char                 **argv)
+    start_beside(const Program     &program,
+                 const std::string &problem,
+                 char             **argv)
     {
-      std::string file;
-      if (source.content)
-        {
-          file = copy_of_stream(*source.content);
-          for (char **argument = argv + 1; *argument != nullptr; ++argument)
-            if (*argument == parameter_file)
-              *argument = file.data();
-        }
       std::error_code             error;
       const std::filesystem::path own =
         std::filesystem::read_symlink("/proc/self/exe", error);
@@ -223,7 +228,10 @@ namespace NPT
                          "study, but Problem is " +
                          name + "; start it without this option.");
       if (is_of_other)
-        start_beside(program, name, command.parameter_file, source, argv);
+        {
+          hand_on(source, command.parameter_file, argv);
+          start_beside(program, name, argv);
+        }
       if (!Registry<Problem>::instance().contains(name) ||
           !Registry<Problem>::instance().get(name).is_listed)
         refuse_problem(program, name);
@@ -238,6 +246,7 @@ namespace NPT
       dealii::MultithreadInfo::set_thread_limit(1);
       if (command.action != CommandLine::Action::run)
         return read_only(name, problem, text, command);
+      hand_on(source, command.parameter_file, argv); // it may start anew
       before_computing(argv);
       if (problem.needs_mpi || Launcher::of_this_process().is_present)
         mpi = std::make_unique<MPISession>();
@@ -341,6 +350,9 @@ namespace NPT
     // file that may not grow any more is an error like a full disk.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    // How gnuplot and the cases of a study end is asked for; who starts this
+    // program may have it ignore that.
+    std::signal(SIGCHLD, SIG_DFL);
     std::unique_ptr<MPISession> mpi; // if it turns out to be needed
     Failure                     failure(program, mpi);
     try

@@ -70,8 +70,7 @@ namespace NPT
       return ',';
     }
 
-    // "MPa" of "P11 [MPa]"; the name is shortened. Not of a name with a comma,
-    // which is meant as a whole.
+    // "MPa" of "P11 [MPa]"; the name is shortened.
     std::string
     take_unit(std::string &name)
     {

@@ -384,7 +384,8 @@ namespace NPT
         percent(worst(bars).relative) + ", above the Target of " +
         percent(target) + ", and a finer setting would pass the CPU limit of " +
         short_number(parameters_.accuracy.cpu_limit, 4) +
-        " s or the finest mesh of 25 elements. The curves with their bars are complete. What to try: a larger "
+        " s or the finest mesh of " + std::to_string(meshes.back()) +
+        " elements. The curves with their bars are complete. What to try: a larger "
         "CPU limit (subsection Accuracy).");
   }
 

@@ -89,6 +89,8 @@ namespace NPT
       const int out  = open(screen, O_WRONLY | O_CREAT | O_TRUNC, 0644);
       const int err  = open(error, O_WRONLY | O_CREAT | O_TRUNC, 0644);
       const int none = open("/dev/null", O_RDONLY);
+      if (out < 0 || err < 0)
+        _exit(output_failed); // not into the files of the case before
       dup2(none, 0);
       dup2(out, 1);
       dup2(err, 2);
@@ -354,21 +356,45 @@ namespace NPT
 
 
   std::optional<CaseEnd>
-  CaseProcess::end(const bool wait)
+  CaseProcess::end()
   {
     CaseEnd result;
     if (channel_ >= 0 &&
-        recv(channel_, &result, sizeof(result), wait ? 0 : MSG_DONTWAIT) ==
-          sizeof(result))
+        recv(channel_, &result, sizeof(result), MSG_DONTWAIT) == sizeof(result))
       {
         cpu_seconds_ += result.cpu_seconds;
         is_busy_ = false;
         return result;
       }
-    int    status = 0;
-    rusage usage{};
-    if (wait4(pid_, &status, wait ? 0 : WNOHANG, &usage) == 0)
+    return end_of_process(WNOHANG);
+  }
+
+
+
+  CaseEnd
+  CaseProcess::end_by_force()
+  {
+    kill(pid_, SIGKILL);
+    return *end_of_process(0);
+  }
+
+
+
+  std::optional<CaseEnd>
+  CaseProcess::end_of_process(const int options)
+  {
+    CaseEnd result;
+    int     status = 0;
+    rusage  usage{};
+    pid_t   ended;
+    do
+      ended = wait4(pid_, &status, options, &usage);
+    while (ended < 0 && errno == EINTR);
+    if (ended == 0)
       return {};
+    AssertThrow(ended == pid_,
+                dealii::ExcMessage("How a case ended cannot be told: " +
+                                   std::string(std::strerror(errno))));
     result.signal      = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     result.status      = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     result.cpu_seconds = seconds(usage) - cpu_seconds_;

@@ -236,7 +236,7 @@ namespace NPT
                       "not started",
                       options.program + " cannot be started.");
               break;
-            case 4:
+            case output_failed:
               set_end(summary, "crashed", "output", said);
               break;
             default:
@@ -531,15 +531,16 @@ namespace NPT
         // A run that waits for something uses no CPU time.
         const bool too_long =
           options_.cpu_limit > 0 && wall_seconds > 10 * options_.cpu_limit + 60;
-        if (too_long)
-          slot.process.send(SIGKILL);
-        std::optional<CaseEnd> end = slot.process.end(too_long);
+        std::optional<CaseEnd> end = slot.process.end();
+        if (!end && too_long)
+          end = slot.process.end_by_force();
         // What was told to end has no result.
         if (!end || (told_to_end_ && end->signal != 0))
           return;
         end->cpu_seconds        = std::round(1000 * end->cpu_seconds) / 1000;
         const fs::path   folder = study_ / to_run_[slot.c];
-        const RunSummary result = judge_run(folder, *end, too_long, options_);
+        const RunSummary result =
+          judge_run(folder, *end, too_long && end->signal != 0, options_);
         write_run_summary((folder / "result.csv").string(), result);
         report(slot.c, end->cpu_seconds, result);
       }

@@ -17,6 +17,9 @@ namespace NPT
   /// shell.
   constexpr int exec_failed = 127;
 
+  /// Exit status of runs that cannot write their results, see README.md.
+  constexpr int output_failed = 4;
+
   /// How a case ended.
   struct CaseEnd
   {
@@ -77,13 +80,13 @@ namespace NPT
       return channel_;
     }
 
-    /**
-     * How the case ended, if it has.
-     *
-     * @param wait Whether to wait for that.
-     */
+    /// How the case ended, if it has.
     std::optional<CaseEnd>
-    end(const bool wait);
+    end();
+
+    /// Kill the process of the case and wait for its end.
+    CaseEnd
+    end_by_force();
 
     /// Send a signal to the process of the case.
     void
@@ -94,6 +97,8 @@ namespace NPT
     fork_process(const std::string &folder);
     void
     forget_process();
+    std::optional<CaseEnd>
+    end_of_process(const int options);
 
     const SweepOptions &options_;
     pid_t               pid_         = -1; ///< -1: there is none
