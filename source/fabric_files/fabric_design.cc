@@ -216,17 +216,31 @@ namespace NPT
             f.density = five_digits(*f.tex / (tex_per_area * *f.fraction *
                                               area(*f.width, *f.thickness)));
             what = "fiber density, " + short_number(*f.density, 4) + " g/cm^3";
+            // The range of the entry: beyond it a unit was mistaken.
+            if (!(*f.density >= 0.5 && *f.density <= 25.))
+              refuse("Linear density, Fiber fraction, width and thickness of "
+                     "the " +
+                     f.name + " bundles give fibers of " +
+                     short_number(*f.density, 4) +
+                     " g/cm^3; fibers have 0.5 to 25");
           }
         else
           {
-            const bool   wide = !f.width;
-            const double size = root_of_increasing(
-              [&](const double x) {
-                return wide ? area(x, *f.thickness) : area(*f.width, x);
-              },
-              of_fibers() / *f.fraction,
-              0.,
-              wide ? 1e3 : *f.width);
+            const bool   wide    = !f.width;
+            const double wanted  = of_fibers() / *f.fraction;
+            const double largest = wide ? 1e3 : *f.width;
+            const auto   area_of = [&](const double x) {
+              return wide ? area(x, *f.thickness) : area(*f.width, x);
+            };
+            if (!(area_of(largest) >= wanted))
+              refuse(
+                "The fibers of a " + f.name + " bundle fill " +
+                short_number(wanted, 4) + " mm^2 at this Fiber fraction; " +
+                (wide ? "no bundle of this thickness" :
+                        "a bundle that is as thick as it is wide") +
+                " has only " + short_number(area_of(largest), 4) + " mm^2");
+            const double size =
+              root_of_increasing(area_of, wanted, 0., largest);
             (wide ? f.width : f.thickness) = five_digits(size);
             what = std::string(wide ? "width" : "thickness") +
                    " of a bundle, " + short_number(size, 4) + " mm";
@@ -537,6 +551,11 @@ namespace NPT
       {
         if (!sheet_.fiber_modulus)
           {
+            const DataSheet defaults;
+            if (sheet_.shear_modulus_along != defaults.shear_modulus_along ||
+                sheet_.shear_modulus_across != defaults.shear_modulus_across)
+              refuse("Shear moduli of the bundles are given without a Fiber "
+                     "modulus; the three make the material together");
             note("Without a Fiber modulus the bundles have the default "
                  "material, that of the paper");
             return;

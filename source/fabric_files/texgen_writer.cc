@@ -73,6 +73,9 @@ namespace NPT
     if (cell.type == "laminate")
       throw InputError("A laminate has no yarns, so it cannot be written as a "
                        "TexGen weave (subsection Cell, entry Type).");
+    if (cell.n_layers > 1)
+      throw InputError("Layers is " + std::to_string(cell.n_layers) +
+                       "; a TexGen weave is one layer (subsection Cell).");
     static const std::map<std::string, std::string> sections = {
       {"lens", "CSectionLenticular\" Distortion=\"0"},
       {"ellipse", "CSectionEllipse"},

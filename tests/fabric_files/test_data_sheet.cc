@@ -270,7 +270,12 @@ TEST_CASE("Numbers that disagree are named with both values and the tolerance",
                                     "Blunt tip=0.01",
                                     "Bundle width=1.2",
                                     "Linear density=800"}),
-             Contains("(subsection Data sheet)"));
+             Contains("meet the edge at") &&
+               Contains("(subsection Data sheet)"));
+  CHECK_THAT(refusal_of_glass_with({"Fiber density=", "Fiber fraction=0.01"}),
+             Contains("fibers have 0.5 to 25"));
+  CHECK_THAT(refusal_of_glass_with({"Fiber modulus=", "Shear modulus along=1"}),
+             Contains("without a Fiber modulus"));
   CHECK_THAT(refusal_of_glass_with({"Weave=plane"}),
              Contains("did you mean 'plain'") &&
                Contains("(subsection Data sheet)"));
@@ -301,7 +306,7 @@ TEST_CASE("A written parameter file is read as the same cell and material",
           "[data_sheet]")
 {
   const std::vector<std::vector<std::string>> sheets = {
-    {},
+    {"Shear modulus along=12", "Shear modulus across=7"},
     {"Weave=2/2 twill",
      "Section=power ellipse",
      "Section power=1.3",
@@ -337,9 +342,17 @@ TEST_CASE("A written parameter file is read as the same cell and material",
       pair("Cell/Bundle thickness", cell.bundle_thickness);
       CHECK(design.material.size() == (entries.size() == 5 ? 2 : 1));
       for (std::size_t k = 0; k < design.material.size(); ++k)
-        CHECK(EntryValue<double>::value(
-                value((k == 0 ? "Fiber bundle material" : "Weft material") +
-                      std::string("/c_trn"))) == design.material[k].c);
+        {
+          const FiberBundleConstants &wanted = design.material[k];
+          for (const auto &[name, constant] :
+               {std::pair("mu_iso", wanted.mu),
+                std::pair("lambda_iso", wanted.lambda),
+                std::pair("a_trn", wanted.a),
+                std::pair("c_trn", wanted.c)})
+            CHECK(EntryValue<double>::value(value(
+                    (k == 0 ? "Fiber bundle material/" : "Weft material/") +
+                    std::string(name))) == constant);
+        }
     }
 }
 

@@ -118,7 +118,9 @@ namespace NPT
   std::vector<FabricStrand>
   FabricStrand::of_repeat(const DeformedCell &deformed)
   {
-    // Pieces with the same axis are one strand; plies are strands of their own.
+    // Pieces of a layer with the same axis, to a millionth of the size of the
+    // cell, are one strand; plies are strands of their own.
+    const double size = std::sqrt(deformed.cell.area());
     std::map<std::tuple<FiberBundle::Family, unsigned int, long>,
              std::vector<Piece>>
       strands;
@@ -130,8 +132,8 @@ namespace NPT
         const unsigned int along =
           bundle.family == FiberBundle::Family::weft ? 1 : 0;
         strands[{bundle.family,
-                 is_ply ? piece.bundle : 0,
-                 std::lround(1e6 * middle[1 - along])}]
+                 is_ply ? piece.bundle : bundle.layer,
+                 std::lround(1e6 * middle[1 - along] / size)}]
           .push_back({middle[along], piece});
       }
 

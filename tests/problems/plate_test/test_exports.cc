@@ -170,6 +170,34 @@ TEST_CASE("The strands of a repeat go on over their seams, and its ends are "
 
 
 
+TEST_CASE(
+  "Layers that lie on each other are strands of their own, whatever the "
+  "size of the cell",
+  "[top]")
+{
+  for (const std::string unit : {"", "e-9"}) // mm, pm
+    {
+      const auto length = [&](const std::string &number) {
+        return number + unit;
+      };
+      PlateRun   run({"Cell/Type=two-crossing cell",
+                      "Cell/Layers=2",
+                      "Cell/Layer shift=0, 0",
+                      "Cell/Crossing spacing=" + length("5"),
+                      "Cell/Bundle width=" + length("4"),
+                      "Cell/Bundle thickness=" + length("1.2"),
+                      "Mesh/Elements along=3",
+                      "Mesh/Elements across=3",
+                      "Mesh/Elements through=1"});
+      const auto strands = FabricStrand::of_repeat(deformed(run));
+      CHECK(strands.size() == 8);
+      for (const FabricStrand &strand : strands)
+        CHECK(strand.n_spans(0) == 6);
+    }
+}
+
+
+
 TEST_CASE("The exported meshes have the volume of the program, positive "
           "Jacobians and unit fibers F A",
           "[top]")
