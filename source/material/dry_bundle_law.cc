@@ -367,7 +367,7 @@ namespace NPT
                   "Dry bundle: compression along the fibers at which they "
                   "buckle, e_b [-], Eq. (A31). 0: at half of the shear "
                   "stiffness, (1 - c) E_L e_b = G_L / 2, so that no kink bands "
-                  "arise.");
+                  "arise up to a compression of c E_L |e| = G_L / 2.");
   }
 
 

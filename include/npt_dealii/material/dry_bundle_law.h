@@ -85,8 +85,9 @@ namespace NPT
    * F = 1 is free of stress. Compression along the fiber makes the law lose its
    * ellipticity by a kink band where the Kirchhoff stress in the fibers reaches
    * the shear stiffness: at F = diag(lambda, 1, 1) the acoustic form of N = A
-   * and m across is W_f'/lambda + G_L/lambda^4. Fibers that buckle below G_L do
-   * not reach it. For dim = 2 the fiber lies in the plane of plane strain.
+   * and m across is W_f'/lambda + G_L/lambda^4. Fibers that buckle reach
+   * it only by the compression c E_L |e| beyond that. For dim = 2 the fiber
+   * lies in the plane of plane strain.
    */
   template <int dim>
   class DryBundleLaw final : public HyperelasticLaw<dim>
@@ -154,7 +155,7 @@ namespace NPT
 
     /// What follows from the entries, (A30)-(A33). Without a buckling strain,
     /// fibers buckle at half of the shear stiffness, (1 - c) E_L eps_b = G_L/2,
-    /// so that no kink bands arise.
+    /// so that no kink bands arise up to c E_L |e| = G_L/2.
     DryBundleConstants
     constants() const;
 

@@ -389,14 +389,19 @@ namespace NPT
       above(part_of(curve, top, curve.y.size() - 1), y_start);
     if (loading.x.size() < 2)
       return;
-    // A curve that begins above y_start has missed the begin of the test.
-    if (loading.y.front() - y_start <= 1e-3 * loading.y.back())
-      x_start = loading.x.front();
     x_end     = loading.x.back();
     y_largest = loading.y.back();
+    // A curve that begins above y_start has missed the begin of the test, one
+    // that ends above it the end.
+    const auto is_at_start = [&](const double y) {
+      return y - y_start <= 1e-3 * y_largest;
+    };
+    if (!is_at_start(loading.y.front()))
+      return;
+    x_start   = loading.x.front();
     work      = integral(loading);
     linearity = 2. * work / (y_largest * std::abs(x_end - x_start));
-    if (unloading.x.size() > 1)
+    if (unloading.x.size() > 1 && is_at_start(unloading.y.back()))
       resilience = -100. * integral(unloading) / work;
   }
 

@@ -5,39 +5,59 @@
 #include <npt_dealii/problems/plate_test/cell_sizes.h>
 #include <npt_dealii/problems/plate_test/curvature_range.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace NPT
 {
   namespace
   {
-    // The largest curvature of the programme.
-    struct LargestCurvature
+    // A curvature that a stage prescribes.
+    struct Bend
     {
-      std::string  stage;
-      unsigned int mode         = 0;
-      double       value        = 0; // [1/mm]
-      bool         is_objective = false;
+      std::string what;      // the begin of a sentence
+      double      curvature; // [1/mm]
+      double      spacing;   // of the crossings along the bent direction [mm]
+      bool        is_objective; // neighboring cells turn
     };
 
-    LargestCurvature
-    largest_curvature(const std::vector<LoadStage> &stages)
+    std::vector<Bend>
+    all_bends(const PlateTestParameters &parameters)
     {
-      LargestCurvature largest;
-      for (const LoadStage &stage : stages)
+      const WarpWeft   &spacing = parameters.cell.crossing_spacing;
+      std::vector<Bend> bends;
+      for (const LoadStage &stage : parameters.load_programme.stages)
         for (const auto &[mode, target] : stage.H_targets)
           {
-            if (MacroModes::table[mode].kind != MacroMode::Kind::bending)
+            const MacroMode &macro_mode = MacroModes::table[mode];
+            if (macro_mode.kind != MacroMode::Kind::bending || target == 0.)
               continue;
-            const bool   is_torsion = mode == MacroModes::number_of("H6");
-            const double value = std::abs(target) * (is_torsion ? 0.5 : 1.);
-            if (value > largest.value)
-              largest = {stage.name,
-                         mode,
-                         value,
-                         stage.bends_along.has_value()};
+            const std::string name = macro_mode.name;
+            const double      curvature =
+              std::abs(target) * (name == "H6" ? 0.5 : 1.);
+            bends.push_back(
+              {"Stage " + stage.name + " bends by " + name +
+                 " to a radius of " + short_number(1. / curvature, 3) + " mm",
+               curvature,
+               name == "H4" ? spacing.weft :
+               name == "H5" ? spacing.warp :
+                              std::max(spacing.warp, spacing.weft),
+               stage.bends_along.has_value()});
           }
-      return largest;
+      return bends;
+    }
+
+    // The largest curvature times a length, of those that count.
+    const Bend *
+    worst(const std::vector<Bend>                   &bends,
+          const std::function<double(const Bend &)> &product)
+    {
+      const Bend *result = nullptr;
+      for (const Bend &bend : bends)
+        if (product(bend) > (result == nullptr ? 0. : product(*result)))
+          result = &bend;
+      return result;
     }
   } // namespace
 
@@ -46,40 +66,38 @@ namespace NPT
   std::vector<std::string>
   doubts_of_curvature(const PlateTestParameters &parameters)
   {
-    const LargestCurvature largest =
-      largest_curvature(parameters.load_programme.stages);
+    const std::vector<Bend>  bends = all_bends(parameters);
     std::vector<std::string> doubts;
-    if (largest.value == 0.)
-      return doubts;
-    const CellParameters &cell = parameters.cell;
-    const double          k    = largest.value;
-    const double          t    = layer_thickness(cell);
-    const double      spacing  = largest.mode == MacroModes::number_of("H5") ?
-                                   cell.crossing_spacing.warp :
-                                   cell.crossing_spacing.weft;
-    const std::string what     = "Stage " + largest.stage + " bends by " +
-                             MacroModes::table[largest.mode].name +
-                             " to a radius of " + short_number(1. / k, 3) +
-                             " mm";
-    if (0.5 * k * t > 0.2)
-      doubts.push_back(what + ", and the layer is " + short_number(t, 3) +
+    const double             t = layer_thickness(parameters.cell);
+    if (const Bend *bend =
+          worst(bends, [&](const Bend &b) { return 0.5 * b.curvature * t; });
+        bend != nullptr && 0.5 * bend->curvature * t > 0.2)
+      doubts.push_back(bend->what + ", and the layer is " + short_number(t, 3) +
                        " mm thick: its faces are stretched and shortened by " +
-                       short_number(50. * k * t, 2) +
+                       short_number(50. * bend->curvature * t, 2) +
                        " %, too much for the moment of a plate.");
-    if (cell.type == "laminate")
+    if (parameters.cell.type == "laminate")
       return doubts;
-    if (k * spacing > 1.)
-      doubts.push_back(what + ", less than the distance of the crossings, " +
-                       short_number(spacing, 3) +
+    const auto slope = [](const Bend &b) { return b.curvature * b.spacing; };
+    if (const Bend *bend = worst(bends, slope);
+        bend != nullptr && slope(*bend) > 1.)
+      doubts.push_back(bend->what +
+                       ", less than the distance of the "
+                       "crossings, " +
+                       short_number(bend->spacing, 3) +
                        " mm: so bent, a fabric is no plate, and its curvature "
                        "a mean of kinks. Below " +
-                       short_number(1. / spacing, 2) +
+                       short_number(1. / bend->spacing, 2) +
                        " 1/mm the radius is larger.");
-    if (!largest.is_objective && k * spacing > 0.1)
+    if (const Bend *bend =
+          worst(bends,
+                [&](const Bend &b) { return b.is_objective ? 0. : slope(b); });
+        bend != nullptr && slope(*bend) > 0.1)
       doubts.push_back(
-        what + ", and the crossings are " + short_number(spacing, 3) +
+        bend->what + ", and the crossings are " +
+        short_number(bend->spacing, 3) +
         " mm apart: with linear jumps such slopes act as strains of " +
-        short_number(12.5 * k * k * spacing * spacing, 2) +
+        short_number(12.5 * slope(*bend) * slope(*bend), 2) +
         " %. What to try: Jumps = objective (subsection Homogenization), or a "
         "smaller curvature.");
     return doubts;

@@ -6,6 +6,7 @@
 #include <npt_dealii/base/nearest_name.h>
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/problem_names.h>
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/base/unused_sections.h>
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/homogenization/cell_modes.h>
@@ -18,6 +19,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <tuple>
@@ -297,34 +299,34 @@ namespace NPT
                   "linear: neighboring cells do not turn, because " + obstacle;
     }
 
-    // Take the stages out of a text that it describes and that are not run. A
-    // mistake in them would be one on the day when they are run, so that they
-    // are read before.
+    // A mistake in a stage that is described and not run would be one on the
+    // day when it is run, so that all stages that a text names are read.
     void
-    set_aside_further_stages(ParameterText                  &text,
-                             const std::vector<std::string> &overrides,
-                             const LoadProgramme            &programme,
-                             const std::vector<std::string> &further)
+    check_all_stages(const ParameterText            &text,
+                     const std::vector<std::string> &overrides,
+                     const LoadProgramme            &programme)
     {
-      std::string           all;
-      std::set<std::string> unused;
-      for (const std::string &name : further)
-        unused.insert("Stage " + name);
+      std::vector<std::string> names;
       for (const LoadStage &stage : programme.stages)
-        {
-          all += (all.empty() ? "" : ", ") + stage.name;
-          unused.erase("Stage " + stage.name);
-        }
-      if (unused.empty())
+        names.push_back(stage.name);
+      const std::size_t n_run = names.size();
+      visit_entries(text, [&](const std::string &path, const auto &statement) {
+        if (path == "Load programme/Stages" ||
+            path == "Load programme/Further stages")
+          for (const std::string &name : split_list(statement.value))
+            if (std::find(names.begin(), names.end(), name) == names.end())
+              names.push_back(name);
+      });
+      if (names.size() == n_run)
         return;
-      for (const std::string &section : unused)
-        all += ", " + section.substr(6);
+      std::string list;
+      for (const std::string &name : names)
+        list += (list.empty() ? "" : ", ") + name;
       PlateTestParameters described;
-      described.load_programme = LoadProgramme(all);
+      described.load_programme = LoadProgramme(list);
       dealii::ParameterHandler prm;
       described.add_parameters(prm);
       parse_parameter_text(prm, text, overrides);
-      take_out_subsections(text, "Load programme", unused);
     }
   } // namespace
 
@@ -332,14 +334,46 @@ namespace NPT
 
   namespace
   {
+    // A stage that is left out would be a jump in the curve of the test.
+    void
+    check_order_of_kes_stages(const KesParameters            &kes,
+                              const std::vector<std::string> &names)
+    {
+      const auto place = [&](const std::string &name) {
+        return std::find(names.begin(), names.end(), name) - names.begin();
+      };
+      const auto stages = kes.stages();
+      for (std::size_t k = 1; k < stages.size(); ++k)
+        {
+          const auto &[before, entry]   = stages[k - 1];
+          const auto &[name, its_entry] = stages[k];
+          if (its_entry == entry && place(name) != place(before) + 1)
+            throw InputError(entry + " names " + before + " and " + name +
+                             ", which do not follow each other in Stages; the "
+                             "stages of a test are one curve (subsection "
+                             "KES).");
+        }
+    }
+
     void
     check_testers_stages(const PlateTestParameters &parameters)
     {
       const auto              &stages = parameters.load_programme.stages;
       std::vector<std::string> names;
+      std::string              pressed_before;
       for (const LoadStage &stage : stages)
         {
           names.push_back(stage.name);
+          const bool presses = stage.type == LoadStage::Type::compression;
+          if (parameters.cell.n_layers > 1 && !presses &&
+              !pressed_before.empty())
+            throw InputError("Stage " + stage.name + " comes after stage " +
+                             pressed_before +
+                             ", which presses layers together; behind it they "
+                             "can only be pressed (subsections Load programme "
+                             "and Cell, entry Layers).");
+          if (presses)
+            pressed_before = stage.name;
           for (const unsigned int n : stage.driven_modes())
             if (parameters.cell.n_layers > 1 &&
                 MacroModes::table[n].kind == MacroMode::Kind::bending)
@@ -365,6 +399,7 @@ namespace NPT
                            ", which the load programme does not have" +
                            did_you_mean(name, names) + "; it has " +
                            joined(names, ", ") + " (subsection KES).");
+      check_order_of_kes_stages(parameters.kes, names);
     }
   } // namespace
 
@@ -398,20 +433,23 @@ namespace NPT
                             const std::vector<std::string> &overrides)
   {
     PlateTestParameters parameters;
-    ParameterText       text    = given_text;
-    const auto          further = split_list(
-      get_entry(text, overrides, "Load programme/Further stages").value_or(""));
+    // The names of the stages decide what else there is to declare.
+    parameters.load_programme = LoadProgramme(
+      get_entry(given_text, overrides, "Load programme/Stages").value_or(""));
+    check_all_stages(given_text, overrides, parameters.load_programme);
+    ParameterText         text = given_text;
+    std::set<std::string> further;
+    for (const std::string &name :
+         split_list(get_entry(text, overrides, "Load programme/Further stages")
+                      .value_or("")))
+      further.insert("Stage " + name);
+    for (const LoadStage &stage : parameters.load_programme.stages)
+      further.erase("Stage " + stage.name);
+    take_out_subsections(text, "Load programme", further);
     parameters.remarks =
       remove_unused_sections(text,
                              overrides,
-                             {"Load programme", "Stages", "Stage ", further});
-    // The names of the stages decide what else there is to declare.
-    parameters.load_programme = LoadProgramme(
-      get_entry(text, overrides, "Load programme/Stages").value_or(""));
-    set_aside_further_stages(text,
-                             overrides,
-                             parameters.load_programme,
-                             further);
+                             {"Load programme", "Stages", "Stage "});
     dealii::ParameterHandler prm;
     parameters.add_parameters(prm);
     parse_parameter_text(prm, text, overrides);
@@ -471,8 +509,27 @@ namespace NPT
       }
     contact.set_thickness(cell.bundle_thickness.smaller());
     if (contact.automatic_penalties)
-      contact.normal_penalty = friction.tangential_penalty =
-        automatic_penalty(*this);
+      {
+        const double penalty = automatic_penalty(*this);
+        const auto   replace = [&](const std::string &entry,
+                                 const double       otherwise,
+                                 double            &value) {
+          // A default, or what a used file has kept, is no wish.
+          if (value != otherwise && std::abs(value - penalty) > 1e-6 * penalty)
+            remarks.push_back(entry + " is " + short_number(value) +
+                              ", which does not count, because Automatic "
+                                "penalties are on and take " +
+                              short_number(penalty) +
+                              " N/mm^3; set them to false to choose.");
+          value = penalty;
+        };
+        replace("Normal penalty",
+                ContactParameters().normal_penalty,
+                contact.normal_penalty);
+        replace("Tangential penalty",
+                FrictionParameters().tangential_penalty,
+                friction.tangential_penalty);
+      }
     check_modes(*this);
     settle_smooth_closure(*this);
     settle_jumps(*this);

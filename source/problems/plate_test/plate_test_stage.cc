@@ -270,7 +270,10 @@ namespace NPT
     if (jumps_ != nullptr &&
         (index_ == 0 ||
          !parameters_.load_programme.stages[index_ - 1].bends_along))
-      jumps_->raise(-mean_height_.value(start.u), start.u);
+      {
+        jumps_->raise(-mean_height_.value(start.u), start.u);
+        start.u[cell_.macro().support()] = 0.; // of a frame before
+      }
     if (jumps_ == nullptr)
       start.u[cell_.macro().support()] = frame_.support_at_start();
     move_plates(start);
@@ -370,6 +373,11 @@ namespace NPT
         if (touch)
           return;
       }
+    if (n_layers > 1)
+      throw StageFailed("Stage " + stage_.name +
+                        " could not bring the layers into contact: some never "
+                        "meet the next one. Look at the Layer shift "
+                        "(subsection Cell).");
   }
 
 

@@ -93,8 +93,14 @@ TEST_CASE("A cycle of straight pieces has the linearity, work and resilience "
   CHECK(later.x_start == Approx(1.));
   CHECK(later.work == Approx(0.75 + 2.5));
   CHECK(later.resilience == Approx(100. * 2.25 / 3.25));
-  // A curve that begins above has no begin.
-  CHECK(std::isnan(CycleValues({{2., 3.}, {1., 4.}}, 0.5).x_start));
+  // A curve that begins above has no begin, one that ends above no end.
+  const CycleValues no_begin({{2., 3., 2.}, {1., 4., 0.}}, 0.5);
+  CHECK(std::isnan(no_begin.x_start));
+  CHECK(std::isnan(no_begin.work));
+  CHECK(std::isnan(no_begin.resilience));
+  const CycleValues no_end({{0., 3., 2.}, {0., 4., 1.}}, 0.5);
+  CHECK(no_end.work > 0.);
+  CHECK(std::isnan(no_end.resilience));
 }
 
 

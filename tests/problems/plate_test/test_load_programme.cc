@@ -208,6 +208,11 @@ TEST_CASE(
                           "end\n",
                         "weave, release"),
                   InputError);
+  CHECK_THROWS_AS(later("subsection Load programme\n"
+                        "set Stages = weave, release, pull\n" +
+                          stage("pull", "set Initial step = pi") + "end\n",
+                        "weave, release"),
+                  InputError);
   CHECK_NOTHROW(
     later(further + stage("pull", "set Initial step = 0.1") + "end\n",
           "weave, release"));

@@ -420,6 +420,15 @@ TEST_CASE(
   CHECK_THAT(of_instrument[0], Catch::Contains("radius of 4 mm"));
   CHECK_THAT(of_instrument[1],
              Catch::Contains("less than the distance of the crossings, 5 mm"));
+  // The weft is bent less, but over crossings that are farther apart.
+  const auto of_weft = doubts_of_curvature(PlateTestParameters::read(
+    make_parameter_text("", "bend.prm"),
+    {"Homogenization/Jumps=linear",
+     "Cell/Crossing spacing=20, 4.2",
+     "Load programme/Stages=weave, release, bend",
+     "Load programme/Stage bend/Targets=H4: 0.02, H5: 0.015"}));
+  REQUIRE(of_weft.size() == 1);
+  CHECK_THAT(of_weft[0], Catch::Contains("bends by H5"));
 }
 
 
@@ -442,4 +451,39 @@ TEST_CASE("A KES test of a stage that there is not is refused with the nearest "
              Catch::Contains("Shear stages names sheer") &&
                Catch::Contains("did you mean 'shear'") &&
                Catch::Contains("subsection KES"));
+}
+
+
+
+TEST_CASE("Stages of a test that do not follow each other, and layers that are "
+          "sheared after they were pressed, are refused",
+          "[top]")
+{
+  const auto message_of = [](const std::vector<std::string> &overrides) {
+    try
+      {
+        PlateTestParameters::read(
+          make_parameter_text(
+            "subsection Load programme\n"
+            "set Stages = weave, release, press, there, back, again\n"
+            "subsection Stage press\nset Type = compression\n"
+            "set Targets = pressure: 0.1\nend\n"
+            "subsection Stage there\nset Targets = H3: 0.1\nend\n"
+            "subsection Stage back\nset Targets = H3: -0.1\nend\n"
+            "subsection Stage again\nset Targets = H3: 0.1\nend\nend\n",
+            "kes.prm"),
+          overrides);
+      }
+    catch (const InputError &error)
+      {
+        return std::string(error.what());
+      }
+    return std::string("none");
+  };
+  CHECK(message_of({"KES/Shear stages=there, back, again"}) == "none");
+  for (const std::string stages : {"there, again", "back, there"})
+    CHECK_THAT(message_of({"KES/Shear stages=" + stages}),
+               Catch::Contains("do not follow each other in Stages"));
+  CHECK_THAT(message_of({"Cell/Layers=2"}),
+             Catch::Contains("Stage there comes after stage press"));
 }
