@@ -22,6 +22,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <vector>
@@ -107,17 +108,34 @@ namespace NPT
       setrlimit(RLIMIT_CORE, &no_core);
     }
 
-    // The limit counts from the start of the process. The second limit, which
-    // cannot be raised again, stays: SIGXCPU ends a case, since nobody here
-    // listens to it.
+    // Of a program, in whole seconds; it keeps nothing else over execve().
     void
-    limit_cpu_time(const double seconds)
+    limit_cpu_time_of_program(const double seconds)
     {
       rlimit limit{};
-      getrlimit(RLIMIT_CPU, &limit);
-      limit.rlim_cur =
-        std::min(limit.rlim_max, static_cast<rlim_t>(std::ceil(seconds)));
+      limit.rlim_cur = static_cast<rlim_t>(std::ceil(seconds));
+      limit.rlim_max = limit.rlim_cur + 5;
       setrlimit(RLIMIT_CPU, &limit);
+    }
+
+    // Of what this process computes from now on; 0: no limit. It is ended by
+    // the signal that the system has for that, to which nobody here listens.
+    void
+    limit_cpu_time_of_case(const double seconds)
+    {
+      static const timer_t timer = []() {
+        sigevent event{};
+        event.sigev_notify = SIGEV_SIGNAL;
+        event.sigev_signo  = SIGXCPU;
+        timer_t created{};
+        timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &created);
+        return created;
+      }();
+      itimerspec limit{};
+      limit.it_value.tv_sec = static_cast<time_t>(std::floor(seconds));
+      limit.it_value.tv_nsec =
+        static_cast<long>(1e9 * (seconds - std::floor(seconds)));
+      timer_settime(timer, 0, &limit, nullptr);
     }
 
     // As execve() does: handlers are those of another program, what is ignored
@@ -153,21 +171,14 @@ namespace NPT
       return of(usage.ru_utime) + of(usage.ru_stime);
     }
 
-    // Of this process, and of it and those that it has started.
+    // Of this process and those that it has started.
     double
-    own_cpu_seconds()
+    cpu_seconds_so_far()
     {
-      rusage usage{};
-      getrusage(RUSAGE_SELF, &usage);
-      return seconds(usage);
-    }
-
-    double
-    all_cpu_seconds()
-    {
-      rusage usage{};
-      getrusage(RUSAGE_CHILDREN, &usage);
-      return own_cpu_seconds() + seconds(usage);
+      rusage own{}, started{};
+      getrusage(RUSAGE_SELF, &own);
+      getrusage(RUSAGE_CHILDREN, &started);
+      return seconds(own) + seconds(started);
     }
 
     // The largest memory, which a case reports, is its own. Without the
@@ -194,8 +205,7 @@ namespace NPT
     {
       set_files((folder + "/screen.txt").c_str(),
                 (folder + "/error.txt").c_str());
-      if (options.cpu_limit > 0)
-        limit_cpu_time(own_cpu_seconds() + options.cpu_limit);
+      limit_cpu_time_of_case(options.cpu_limit);
       forget_peak_memory();
       for (std::ostream *stream : {&std::cout, &std::cerr, &std::clog})
         {
@@ -204,6 +214,7 @@ namespace NPT
         }
       const int status = options.run(arguments_of_case(options, folder));
       flush_streams();
+      limit_cpu_time_of_case(0.);
       return status;
     }
 
@@ -230,7 +241,7 @@ namespace NPT
         {
           CaseEnd end;
           end.status       = run_case(options, folder);
-          const double now = all_cpu_seconds();
+          const double now = cpu_seconds_so_far();
           end.cpu_seconds  = now - before;
           before           = now;
           if (!is_orderly(end.status))
@@ -339,7 +350,7 @@ namespace NPT
         set_up_process();
         set_files(screen.c_str(), error.c_str());
         if (options_.cpu_limit > 0)
-          limit_cpu_time(options_.cpu_limit);
+          limit_cpu_time_of_program(options_.cpu_limit);
         execve(options_.program.c_str(), argv.data(), envp.data());
         _exit(exec_failed);
       }
