@@ -40,14 +40,29 @@ TEST_CASE("A benchmark runs by npt_dealii as by verify", "[program]")
 
 
 
-TEST_CASE("Without verify beside it npt_dealii says where it is missing",
+TEST_CASE("Without its library or verify beside it npt_dealii says what is "
+          "missing",
           "[program]")
 {
-  const fs::path work = fresh_folder("alone");
-  fs::copy_file(NPT_PROGRAM, work / "npt_dealii");
-  const ProgramResult result =
-    run_program(work, {patch_test}, (work / "npt_dealii").string());
-  fs::remove(work / "npt_dealii");
+  const fs::path    work    = fresh_folder("alone");
+  const std::string program = (work / "npt_dealii").string();
+  fs::copy_file(NPT_PROGRAM, program);
+  // Builds without NPT_FAST_START have no library.
+  const fs::path library =
+    fs::path(NPT_PROGRAM).parent_path() / "libnpt_dealii.so";
+  if (fs::exists(library))
+    {
+      const ProgramResult no_library = run_program(work, {patch_test}, program);
+      CHECK(no_library.status == 3);
+      CHECK_THAT(no_library.err,
+                 Catch::Contains("the program cannot be loaded") &&
+                   Catch::Contains(
+                     "Keep this file and libnpt_dealii.so in one folder."));
+      fs::copy_file(library, work / "libnpt_dealii.so");
+    }
+  const ProgramResult result = run_program(work, {patch_test}, program);
+  fs::remove(program);
+  fs::remove(work / "libnpt_dealii.so");
   CHECK(result.status == 2);
   CHECK_THAT(result.err,
              Catch::Contains("Problem is contact benchmark, which the program "
