@@ -524,10 +524,13 @@ namespace NPT
   {
     assert_belongs(step, evaluation);
     step.penalty_scale *= growth;
+    const Missing missing = missing_multipliers(step, evaluation);
     for (unsigned int I = 0; I < n_nodes(); ++I)
-      step.multiplier[I] = evaluation.nodes[I].pressure;
+      step.multiplier[I] =
+        std::min(0., step.multiplier[I] + missing.pressure[I]);
     for (unsigned int J = 0; J < n_friction_nodes(); ++J)
-      step.traction_multiplier[J] = evaluation.friction[J].response.traction;
+      for (unsigned int a = 0; a < m; ++a)
+        step.traction_multiplier[J][a] += missing.traction[J][a];
     step.serial = new_serial();
   }
 

@@ -192,7 +192,7 @@ namespace NPT
     ContactState<dim> state;
     state.friction_on = step.friction_on;
     state.multiplier  = step.multiplier;
-    if (augmented_)
+    if (augmented_ && !nodes_are_points_)
       for (unsigned int I = 0; I < n_nodes(); ++I)
         state.multiplier[I] = evaluation.nodes[I].pressure;
     for (const FrictionState<dim> &friction : evaluation.friction)
@@ -255,52 +255,6 @@ namespace NPT
       rate -= weight(evaluation.reach, I) * evaluation.nodes[I].pressure *
               std::max(0., -gaps[I]);
     return rate;
-  }
-
-
-
-  // ---------------------------------------------------- augmented Lagrangian
-
-  template <int dim>
-  ContactViolation
-  ContactPair<dim>::violation(const ContactStep<dim>       &step,
-                              const ContactEvaluation<dim> &evaluation) const
-  {
-    assert_belongs(step, evaluation);
-    const SlipMeasure<dim> *slip_measure = measure(step.friction_on);
-    ContactViolation        result;
-    for (unsigned int I = 0; I < n_nodes(); ++I)
-      {
-        const NodeState<dim> &state = evaluation.nodes[I];
-        if (symmetry_weight_[I] == 0 ||
-            (!state.active && step.multiplier[I] == 0.))
-          continue;
-        result.gap = std::max(result.gap,
-                              std::abs(state.pressure - step.multiplier[I]) /
-                                (step.penalty_scale * normal_law_->penalty()));
-      }
-    if (slip_measure == nullptr)
-      return result;
-    for (unsigned int J = 0; J < n_friction_nodes(); ++J)
-      {
-        const FrictionState<dim> &state = evaluation.friction[J];
-        if (friction_symmetry_weight_[J] == 0 || !state.active())
-          continue;
-        // |t - lambda|^2 = (t - lambda)_a a^{ab} (t - lambda)_b.
-        const auto metric =
-          slip_measure->traction_metric({geometry_, step, evaluation}, J);
-        const auto &t      = state.response.traction;
-        const auto &lambda = step.traction_multiplier[J];
-        double      square = 0;
-        for (int a = 0; a < m; ++a)
-          for (int b = 0; b < m; ++b)
-            square += (t[a] - lambda[a]) * metric[a][b] * (t[b] - lambda[b]);
-        result.slip =
-          std::max(result.slip,
-                   std::sqrt(std::max(0., square)) /
-                     (step.penalty_scale * friction_law_->penalty()));
-      }
-    return result;
   }
 
 

@@ -5,6 +5,10 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/contact/contact_pair.h>
 
+#include <deal.II/lac/full_matrix.h>
+
+#include <functional>
+
 #include "contact_test_tools.h"
 
 using namespace ContactTests;
@@ -977,6 +981,71 @@ TEST_CASE("What was tried and not accepted leaves no trace, to the last bit",
       pair.state = state;
       pair.begin_step(path[1]);
       CHECK(pair.residual(path[2]) == r);
+    }
+}
+
+
+
+TEST_CASE(
+  "Multipliers of Gauss points take over what control points resolve and "
+  "leave the rest: a repetition changes them by a field of as many "
+  "dimensions as there are control points",
+  "[contact]")
+{
+  for (const std::string &method : {std::string("KTS"), at_points})
+    {
+      INFO(method);
+      Conditions parameters = contact_parameters(method);
+      parameters.enforcement =
+        ContactParameters::Enforcement::augmented_lagrangian;
+      Pair<2>    pair(curved_pair<2>(2), parameters, 0.25);
+      const auto path = frictional_path(pair);
+      follow(pair, path);
+      // The change of the field over its means over the supports, which is what
+      // the multipliers lack after the next repetition if nothing moves.
+      const auto before = pair.step;
+      pair.contact.augment(pair.step, pair.evaluation);
+      const auto &points = pair.contact.quadrature_points();
+      REQUIRE(points.size() > pair.secondary.n_control_points());
+      const auto is_in_space = [&](const std::function<double(unsigned)> &f) {
+        // Least squares by the control points' functions leave nothing.
+        const unsigned int         n = pair.secondary.n_control_points();
+        dealii::FullMatrix<double> M(n, n);
+        Vector<double>             b(n), x(n);
+        double                     size = 0, rest = 0;
+        const auto for_each = [&](const unsigned q, const auto &visit) {
+          for (unsigned int l = 0; l < points[q].averaging.lattice.size(); ++l)
+            visit(points[q].averaging.lattice[l], points[q].averaging.value[l]);
+        };
+        for (unsigned int q = 0; q < points.size(); ++q)
+          for_each(q, [&](const unsigned A, const double N_A) {
+            b[A] += N_A * f(q);
+            for_each(q, [&](const unsigned B, const double N_B) {
+              M(A, B) += N_A * N_B;
+            });
+          });
+        M.gauss_jordan();
+        M.vmult(x, b);
+        for (unsigned int q = 0; q < points.size(); ++q)
+          {
+            double left = f(q);
+            for_each(q, [&](const unsigned A, const double N_A) {
+              left -= N_A * x[A];
+            });
+            rest = std::max(rest, std::abs(left));
+            size = std::max(size, std::abs(f(q)));
+          }
+        CHECK(size > 0);
+        return rest < 1e-10 * size;
+      };
+      CHECK(is_in_space([&](const unsigned int q) {
+        return pair.step.traction_multiplier[q][0] -
+               before.traction_multiplier[q][0];
+      }));
+      CHECK_FALSE(is_in_space([&](const unsigned int q) {
+        return pair.evaluation.friction[q].response.traction[0] -
+               before.traction_multiplier[q][0];
+      }));
     }
 }
 

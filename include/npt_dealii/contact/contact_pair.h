@@ -176,9 +176,9 @@ namespace NPT
     violation(const ContactStep<dim>       &step,
               const ContactEvaluation<dim> &evaluation) const;
 
-    /// Uzawa's update: the evaluated tractions become the multipliers of the
-    /// step, and both penalties grow by a factor >= 1. The step must be
-    /// evaluated anew after that; only accept() makes it part of a state.
+    /// Uzawa's update: the multipliers of the step take what they lack, (A17),
+    /// and both penalties grow by a factor >= 1. The step must be evaluated
+    /// anew after that; only accept() makes it part of a state.
     void
     augment(ContactStep<dim>             &step,
             const ContactEvaluation<dim> &evaluation,
@@ -288,6 +288,16 @@ namespace NPT
     mean_at_node(const ContactEvaluation<dim> &evaluation,
                  const unsigned int            I,
                  const Vectors                &vector_at) const;
+
+    // S (p - lambda) and S (t - lambda_t) of (A17). (contact_multipliers.cc)
+    struct Missing
+    {
+      std::vector<double>                pressure; // by contact node
+      std::vector<std::array<double, m>> traction; // by friction node
+    };
+    Missing
+    missing_multipliers(const ContactStep<dim>       &step,
+                        const ContactEvaluation<dim> &evaluation) const;
 
     // Where are the surfaces, and how far? (contact_evaluation.cc)
     ClosestPoint<dim>
