@@ -15,19 +15,6 @@ namespace NPT
     // thick.
     const double thick_tip = 0.25;
 
-    bool
-    has_round_edges(const FabricCell &cell, const ContactParameters &contact)
-    {
-      using RoundEdges = ContactParameters::RoundEdges;
-      if (cell.parameters().type == "laminate")
-        return false;
-      return contact.round_edges == RoundEdges::automatic ?
-               cell.parameters().blunt_tip > thick_tip :
-               contact.round_edges == RoundEdges::yes;
-    }
-
-
-
     // The surfaces of the base bundles, each made once.
     class BundleSurfaces
     {
@@ -181,6 +168,19 @@ namespace NPT
         }
     }
   } // namespace
+
+
+
+  bool
+  has_round_edges(const FabricCell &cell, const ContactParameters &contact)
+  {
+    using RoundEdges = ContactParameters::RoundEdges;
+    if (cell.parameters().type == "laminate")
+      return false;
+    return contact.round_edges == RoundEdges::automatic ?
+             cell.parameters().blunt_tip > thick_tip :
+             contact.round_edges == RoundEdges::yes;
+  }
 
 
 
