@@ -71,7 +71,7 @@ namespace NPT
         step.starts[q]         = {true, c.surface, c.u};
         step.behind[q]         = state.behind.empty() ? geometry_.is_deep(c) :
                                                         state.behind[q] && c.gap < 0.;
-        step.reach.of_point[q] = reach_of_point(c, step.behind[q]);
+        step.reach.of_point[q] = reach_of_point(positions, c, step.behind[q]);
         if (by_angle)
           cosines[q] = cosine_of_fibers(positions, c, q);
       }
@@ -158,16 +158,52 @@ namespace NPT
 
   template <int dim>
   double
-  ContactPair<dim>::reach_of_point(const ClosestPoint<dim> &c,
-                                   const bool               behind) const
+  ContactPair<dim>::distance_beside(const ContactPositions<dim> &positions,
+                                    const ClosestPoint<dim>     &c) const
+  {
+    const ContactSurface<dim> &primary = geometry_.primaries[c.surface];
+    const IGASurface<dim>     &surface = primary.surface();
+    constexpr int              k       = m - 1; // the parameter with round ends
+    const auto                &breaks  = surface.segment_breaks(k);
+    const double               low  = breaks.front() + surface.end_rounding();
+    const double               high = breaks.back() - surface.end_rounding();
+    if (surface.end_rounding() > 0. && (c.u[k] < low || c.u[k] > high))
+      {
+        // A round edge ends at the side of the body, across which the tangent
+        // plane there runs; the face ends where the round edge begins.
+        const auto &x      = positions.primaries[c.surface];
+        const auto  u      = c.u;
+        const bool  is_low = u[k] < low;
+        const auto  place  = [&](const double u_k) {
+          auto v = u;
+          v[k]   = u_k;
+          return v;
+        };
+        const Tensor<1, dim> outward =
+          (is_low ? -1. : 1.) *
+          primary.direction(place(is_low ? low : high), k, x);
+        const Tensor<1, dim> beyond =
+          primary.position(u, x) + c.r -
+          primary.position(place(is_low ? breaks.front() : breaks.back()), x);
+        return std::max(0., beyond * outward);
+      }
+    if (!c.on_boundary)
+      return 0.;
+    const double height = c.r * c.surface_normal;
+    return std::sqrt(std::max(0., c.r.norm_square() - height * height));
+  }
+
+
+
+  template <int dim>
+  double
+  ContactPair<dim>::reach_of_point(const ContactPositions<dim> &positions,
+                                   const ClosestPoint<dim>     &c,
+                                   const bool                   behind) const
   {
     if (behind)
       return 0.;
-    if (!c.on_boundary)
-      return 1.;
-    const double height = c.r * c.surface_normal;
-    const double beside =
-      std::sqrt(std::max(0., c.r.norm_square() - height * height));
+    const double beside = distance_beside(positions, c);
     // A thickness is farther than pressed bundles bulge; beyond, the mean over
     // a control point's support must not be ruled by points that touch nothing.
     return std::min(1., std::max(0., 2. - beside / geometry_.thickness));

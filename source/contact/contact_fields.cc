@@ -48,9 +48,9 @@ namespace NPT
     {
       const auto  &surface = contact.secondary().surface();
       const Values at_node = values_at_nodes(contact, evaluation);
-      if (at_node.size() == surface.n_control_points())
+      if (at_node.size() == surface.n_face_control_points())
         return at_node;
-      Values     result(surface.n_control_points(),
+      Values     result(surface.n_face_control_points(),
                     std::vector<double>(n_values, 0.));
       const auto mortar =
         Averaging::mortar<3>(surface, contact.quadrature_points());
@@ -100,7 +100,7 @@ namespace NPT
       values_at_control_points(contact, evaluation);
     const auto      &surface = contact.secondary().surface();
     std::vector<int> lattice_of(space.n_control_points(), -1);
-    for (unsigned int l = 0; l < surface.n_control_points(); ++l)
+    for (unsigned int l = 0; l < surface.n_face_control_points(); ++l)
       lattice_of[surface.control_point(l)] = l;
 
     BezierMesh mesh;

@@ -38,6 +38,20 @@ namespace NPT
 
 
   template <>
+  const EnumNames<ContactParameters::RoundEdges> &
+  enum_names<ContactParameters::RoundEdges>()
+  {
+    using RoundEdges                         = ContactParameters::RoundEdges;
+    static const EnumNames<RoundEdges> names = {{RoundEdges::automatic,
+                                                 "automatic"},
+                                                {RoundEdges::yes, "true"},
+                                                {RoundEdges::no, "false"}};
+    return names;
+  }
+
+
+
+  template <>
   const EnumNames<FrictionParameters::Nodes> &
   enum_names<FrictionParameters::Nodes>()
   {
@@ -138,6 +152,16 @@ namespace NPT
       "fail there. Curves hardly depend on it: with 0.25 and 0.5 n1 differs "
       "by 8e-4 after weaving and by 1e-4 at 20 % tension.",
       Patterns::Double(0., 1.));
+    add_parameter(
+      prm,
+      "Round edges",
+      round_edges,
+      "Plate test: whether wide faces meet other bundles as far as the middle "
+      "of their blunt edges, around a half circle over the height of the edge, "
+      "(A47) of doc/theory.md. false: as far as the corner of the edge, which "
+      "then bears what presses beside it; in bundles with thick edges no mesh "
+      "is fine enough for that. automatic: true in woven cells with a Blunt "
+      "tip above 0.25.");
     add_parameter(
       prm,
       "Kink rounding",

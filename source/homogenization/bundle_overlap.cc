@@ -34,8 +34,10 @@ namespace NPT
                     const MacroUnknowns               &macro,
                     const Vector<double>              &u,
                     const std::vector<Point<3>>       &woven,
-                    const std::optional<Tensor<1, 2>> &bends_along)
+                    const std::optional<Tensor<1, 2>> &bends_along,
+                    const bool                         round_edges)
         : cell_(cell)
+        , round_edges_(round_edges)
         , is_woven_(std::abs(u[macro.weaving_offset()]) <
                     1e-6 * cell.weaving_offset())
         , bends_along_(bends_along)
@@ -62,8 +64,9 @@ namespace NPT
         for (unsigned int b = 0; b < bodies_.size(); ++b)
           for (const auto &place : samples(bodies_[b]))
             {
-              const Point<3> x   = bodies_[b].value(place);
-              double         own = -1.; // not known yet
+              const Point<3>        x = bodies_[b].value(place);
+              std::optional<double> own;
+              bool                  is_inside = false;
               ++n;
               for (const Image &image : images_)
                 {
@@ -72,17 +75,20 @@ namespace NPT
                   const auto found = image.body.find(x);
                   if (!found)
                     continue;
-                  if (own < 0.)
-                    {
-                      own = bodies_[b].depth(place);
-                      ++n_inside;
-                    }
-                  const double other = image.body.depth(*found);
+                  if (!own)
+                    own = bodies_[b].depth(place, edge_radius(b));
+                  const double other =
+                    image.body.depth(*found, edge_radius(image.bundle));
+                  if (*own < 0. || other < 0.) // beyond a round edge
+                    continue;
+                  if (!is_inside)
+                    ++n_inside;
+                  is_inside = true;
                   // On the surface of its own bundle a point is as deep as it
                   // is in the other one; inside, about it a ball fits into
                   // both.
-                  const double depth = own > 1e-9 * cell_.weaving_offset() ?
-                                         2. * std::min(own, other) :
+                  const double depth = *own > 1e-9 * cell_.weaving_offset() ?
+                                         2. * std::min(*own, other) :
                                          other;
                   if (depth > result.depth)
                     result = {depth, 0., b, image.bundle, x};
@@ -93,6 +99,19 @@ namespace NPT
       }
 
     private:
+      // A round edge is as wide as half of its height.
+      double
+      edge_radius(const unsigned int bundle) const
+      {
+        if (!round_edges_)
+          return 0.;
+        const bool warp =
+          cell_.bundles()[bundle].family == FiberBundle::Family::warp;
+        return (warp ? cell_.parameters().warp_section() :
+                       cell_.parameters().weft_section())
+          .tip;
+      }
+
       bool
       compared(const unsigned int b, const Image &image) const
       {
@@ -220,6 +239,7 @@ namespace NPT
       }
 
       const FabricCell                 &cell_;
+      const bool                        round_edges_;
       const bool                        is_woven_;
       const std::optional<Tensor<1, 2>> bends_along_;
       Gradients                         H_;
@@ -237,11 +257,13 @@ namespace NPT
                const MacroUnknowns               &macro,
                const Vector<double>              &u,
                const std::vector<Point<3>>       &woven,
-               const std::optional<Tensor<1, 2>> &bends_along)
+               const std::optional<Tensor<1, 2>> &bends_along,
+               const bool                         round_edges)
   {
     if (cell.parameters().type == "laminate")
       return {};
-    return OverlapSearch(cell, space, macro, u, woven, bends_along).deepest();
+    return OverlapSearch(cell, space, macro, u, woven, bends_along, round_edges)
+      .deepest();
   }
 
 

@@ -228,18 +228,23 @@ namespace NPT
 
 
   double
-  BezierBody::depth(const Place &place) const
+  BezierBody::depth(const Place &place, const double edge_radius) const
   {
-    const Point<3> x      = value(place);
-    double         result = std::numeric_limits<double>::max();
-    for (unsigned int d = 1; d < 3; ++d)
+    const Point<3> x       = value(place);
+    const auto     nearest = [&](const unsigned int d) {
+      double distance = std::numeric_limits<double>::max();
       for (unsigned int side = 0; side < 2; ++side)
         {
           Place on_face   = place;
           on_face.span[d] = side == 0 ? 0 : n_spans_[d] - 1;
           on_face.xi[d]   = side;
-          result          = std::min(result, x.distance(value(on_face)));
+          distance        = std::min(distance, x.distance(value(on_face)));
         }
-    return result;
+      return distance;
+    };
+    const double a = nearest(1), b = nearest(2);
+    return a < edge_radius && b < edge_radius ?
+             edge_radius - std::hypot(edge_radius - a, edge_radius - b) :
+             std::min(a, b);
   }
 } // namespace NPT

@@ -4,6 +4,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/iga/element_table.h>
 #include <npt_dealii/iga/iga_surface.h>
+#include <npt_dealii/iga/powers.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_bernstein.h>
@@ -19,42 +20,24 @@ namespace NPT
 
   namespace
   {
-    // Bounds of the arrays in LineFunctions; a rounded kink has the functions
-    // of both spans.
+    // Bounds of the arrays in LineFunctions; a round end has the functions of
+    // two directions (a rounded kink those of two spans, which are fewer).
     constexpr unsigned int max_p           = 7;
-    constexpr unsigned int max_n_functions = 2 * max_p + 1;
-
-    // Power coefficients of the functions sum_b C(a,b) B_b(t).
-    std::vector<std::vector<double>>
-    power_coefficients(
-      const FullMatrix<double>                                   &C,
-      const std::vector<dealii::Polynomials::Polynomial<double>> &B)
-    {
-      const unsigned int               n = B.size();
-      std::vector<std::vector<double>> result(n, std::vector<double>(n, 0.));
-      std::vector<double>              derivatives(n);
-      for (unsigned int b = 0; b < n; ++b)
-        {
-          B[b].value(0., derivatives);
-          double factorial = 1;
-          for (unsigned int k = 0; k < n; ++k)
-            {
-              if (k > 0)
-                factorial *= k;
-              for (unsigned int a = 0; a < n; ++a)
-                result[a][k] += C(a, b) * derivatives[k] / factorial;
-            }
-        }
-      return result;
-    }
-
+    constexpr unsigned int max_n_functions = (max_p + 1) * (max_p + 1);
 
     // The functions of one direction and their first three derivatives.
     struct LineFunctions
     {
-      unsigned int first; // number of the first one in its direction
-      unsigned int n;
-      double       N[4][max_n_functions]; // [derivative][function]
+      unsigned int        first; // number of the first one in its direction
+      const unsigned int *rows;  // of all, if they do not follow each other
+      unsigned int        n;
+      double              N[4][max_n_functions]; // [derivative][function]
+
+      unsigned int
+      number(const unsigned int i) const
+      {
+        return rows == nullptr ? first + i : rows[i];
+      }
     };
 
 
@@ -122,7 +105,7 @@ namespace NPT
       resize(shape, f.n, n_derivatives);
       for (unsigned int i = 0; i < f.n; ++i)
         {
-          shape.lattice[i] = f.first + i;
+          shape.lattice[i] = f.number(i);
           shape.value[i]   = f.N[0][i];
           if (n_derivatives >= 1)
             shape.first[0][i] = f.N[1][i];
@@ -148,7 +131,7 @@ namespace NPT
       for (unsigned int j = 0, l = 0; j < g.n; ++j)
         for (unsigned int i = 0; i < f.n; ++i, ++l)
           {
-            shape.lattice[l] = f.first + i + (g.first + j) * row_length;
+            shape.lattice[l] = f.first + i + g.number(j) * row_length;
             shape.value[l]   = f.N[0][i] * g.N[0][j];
             if (n_derivatives >= 1)
               {
@@ -237,58 +220,36 @@ namespace NPT
                               const unsigned int   patch,
                               const unsigned int   direction,
                               const unsigned int   side,
-                              const double         kink_rounding)
+                              const double         kink_rounding,
+                              const double         end_rounding)
     : space_(&space)
     , patch_(patch)
     , orientation_(side == 1 ? 1. : -1.)
+    , end_rounding_(end_rounding)
   {
     AssertIndexRange(direction, static_cast<unsigned int>(dim));
     AssertIndexRange(side, 2u);
     Assert(kink_rounding >= 0. && kink_rounding <= 0.5,
            dealii::ExcMessage("Neighboring kinks must not overlap."));
-    const NURBSPatch<dim>      &P = space.patch(patch);
-    std::array<unsigned int, m> directions;
-    for (unsigned int a = 0; a < m; ++a)
-      {
-        directions[a] = (direction + 1 + a) % dim;
-        knots_.push_back(P.knot_vector(directions[a]));
-      }
-    // In 2D the tangent of the remaining direction, rotated clockwise, is the
-    // outward normal of the sides (0,1) and (1,0) only.
-    if (dim == 2 && direction == 1)
-      orientation_ = -orientation_;
-
-    unsigned int n = 1;
-    for (const KnotVector &k : knots_)
-      n *= k.n_functions();
-    rational_ = false;
-    for (unsigned int l = 0; l < n; ++l)
-      {
-        std::array<unsigned int, dim> index;
-        unsigned int                  rest = l;
-        index[direction] = side == 0 ? 0 : P.n_control_points(direction) - 1;
-        for (unsigned int a = 0; a < m; ++a)
-          {
-            index[directions[a]] = rest % knots_[a].n_functions();
-            rest /= knots_[a].n_functions();
-          }
-        control_points_.push_back(space.control_point(patch, P.index(index)));
-        weights_.push_back(space.weights()[control_points_.back()]);
-        rational_ = rational_ || weights_.back() != weights_.front();
-      }
-
     const unsigned int p = degree();
     if (p > max_p)
       throw InputError("A surface takes degrees up to " +
                        std::to_string(max_p) + "; found " + std::to_string(p) +
                        ".");
+    // In 2D the tangent of the remaining direction, rotated clockwise, is the
+    // outward normal of the sides (0,1) and (1,0) only.
+    if (dim == 2 && direction == 1)
+      orientation_ = -orientation_;
+
     const auto bernstein = polynomials_of(dealii::FE_Bernstein<1>(p));
     for (unsigned int a = 0; a < m; ++a)
       {
+        const unsigned int line = (direction + 1 + a) % dim;
+        knots_.push_back(space.patch(patch).knot_vector(line));
         const auto &breaks = knots_[a].breaks();
         for (unsigned int e = 0; e < knots_[a].n_spans(); ++e)
           {
-            const auto &C = space.extraction_operator(patch, directions[a], e);
+            const auto &C = space.extraction_operator(patch, line, e);
             Segment     segment;
             segment.origin         = breaks[e];
             segment.length         = breaks[e + 1] - breaks[e];
@@ -304,6 +265,41 @@ namespace NPT
         if (kink_rounding > 0.)
           round_kinks(segments_[a], kink_rounding);
       }
+    for (unsigned int j = 0; j < knots_[m - 1].n_functions(); ++j)
+      rows_.emplace_back(j, 0);
+    n_face_control_points_ =
+      rows_.size() * (m == 1 ? 1 : knots_[0].n_functions());
+    if (end_rounding > 0.)
+      round_ends(direction, side);
+    set_control_points(direction, side);
+  }
+
+
+
+  // The first parameter of a face of a body runs fastest; a curve has rows of
+  // one control point.
+  template <int dim>
+  void
+  IGASurface<dim>::set_control_points(const unsigned int direction,
+                                      const unsigned int side)
+  {
+    const NURBSPatch<dim> &P     = space_->patch(patch_);
+    const unsigned int     n_row = m == 1 ? 1 : knots_[0].n_functions();
+    rational_                    = false;
+    for (const auto &row : rows_)
+      for (unsigned int i = 0; i < n_row; ++i)
+        {
+          std::array<unsigned int, dim> index;
+          index[(direction + 1) % dim] = i;
+          index[(direction + m) % dim] = row.first;
+          index[direction]             = side == 0 ?
+                                           row.second :
+                                           P.n_control_points(direction) - 1 - row.second;
+          control_points_.push_back(
+            space_->control_point(patch_, P.index(index)));
+          weights_.push_back(space_->weights()[control_points_.back()]);
+          rational_ = rational_ || weights_.back() != weights_.front();
+        }
   }
 
 
@@ -447,6 +443,7 @@ namespace NPT
           segment != nullptr ? (*segment)[a] : segments[a].find(u[a]);
         const Segment &s = segments[a].segments[e];
         N[a].first       = s.first_function;
+        N[a].rows        = s.rows.empty() ? nullptr : s.rows.data();
         evaluate_polynomials(s.coefficients,
                              (u[a] - s.origin) / s.length,
                              s.length,
@@ -460,21 +457,42 @@ namespace NPT
 
 
   template <int dim>
+  std::vector<double>
+  IGASurface<dim>::integration_breaks(const unsigned int a) const
+  {
+    std::vector<double> breaks = knots_[a].breaks();
+    if (a + 1 == m && end_rounding_ > 0.)
+      for (const double u :
+           {breaks.front() + end_rounding_, breaks.back() - end_rounding_})
+        {
+          const auto   next = std::lower_bound(breaks.begin(), breaks.end(), u);
+          const double size = breaks.back() - breaks.front();
+          if (*next - u > 1e-10 * size && u - *(next - 1) > 1e-10 * size)
+            breaks.insert(next, u);
+        }
+    return breaks;
+  }
+
+
+
+  template <int dim>
   std::vector<typename IGASurface<dim>::QuadraturePoint>
   IGASurface<dim>::quadrature(const unsigned int n) const
   {
     const dealii::QGauss<1> gauss(n > 0 ? n : degree() + 1);
     const unsigned int      n_q = gauss.size();
 
-    unsigned int n_spans = 1, n_points = 1;
+    unsigned int                       n_parts = 1, n_points = 1;
+    std::array<std::vector<double>, m> breaks;
     for (unsigned int a = 0; a < m; ++a)
       {
-        n_spans *= knots_[a].n_spans();
+        breaks[a] = integration_breaks(a);
+        n_parts *= breaks[a].size() - 1;
         n_points *= n_q;
       }
 
     std::vector<QuadraturePoint> points;
-    for (unsigned int e = 0; e < n_spans; ++e)
+    for (unsigned int e = 0; e < n_parts; ++e)
       for (unsigned int q = 0; q < n_points; ++q)
         {
           QuadraturePoint point;
@@ -482,13 +500,13 @@ namespace NPT
           double          weight = 1;
           for (unsigned int a = 0; a < m; ++a)
             {
-              point.span[a]      = rest_e % knots_[a].n_spans();
-              const auto  &b     = knots_[a].breaks();
-              const double begin = b[point.span[a]];
-              const double h     = b[point.span[a] + 1] - begin;
-              point.u[a]         = begin + h * gauss.point(rest_q % n_q)[0];
+              const unsigned int n_a   = breaks[a].size() - 1;
+              const double       begin = breaks[a][rest_e % n_a];
+              const double       h     = breaks[a][rest_e % n_a + 1] - begin;
+              point.u[a]    = begin + h * gauss.point(rest_q % n_q)[0];
+              point.span[a] = knots_[a].find_span(point.u[a]);
               weight *= h * gauss.weight(rest_q % n_q);
-              rest_e /= knots_[a].n_spans();
+              rest_e /= n_a;
               rest_q /= n_q;
             }
           evaluate(point.u, 1, point.shape);

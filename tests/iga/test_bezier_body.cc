@@ -99,6 +99,15 @@ TEST_CASE("Depth in a straight bar is the distance from its nearest side, and "
   CHECK(depth(Point<3>(5., 3.9, 0.5)) == Approx(0.1));
   CHECK(depth(Point<3>(0.01, 2., 0.5)) == Approx(0.5));
 
+  // With a round edge: 0.1 and 0.2 from two faces are sqrt(0.3^2 + 0.2^2) from
+  // its center, and the corner is outside.
+  const auto rounded = [&](const Point<3> &x) {
+    return body.depth(*body.find(x), 0.4);
+  };
+  CHECK(rounded(Point<3>(5., 3.9, 0.8)) == Approx(0.4 - std::sqrt(0.13)));
+  CHECK(rounded(Point<3>(5., 3.99, 0.99)) < 0.);
+  CHECK(rounded(Point<3>(5., 2., 0.7)) == Approx(0.3));
+
   const BezierBody moved =
     body.mapped([](const unsigned int, const unsigned int, const Point<3> &x) {
       return x + Point<3>(100., 0., 0.);

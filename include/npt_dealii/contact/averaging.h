@@ -17,7 +17,7 @@ namespace NPT
    * with the weight (area) W_I [mm^2] of the node in the virtual work (43).
    *
    * Mortar knot-to-surface (37): nodes are the control points of the secondary
-   * surface, A_{Iq} = R^I_q w_q / <R^I>, W_I = <R^I>, with the integral over
+   * face, A_{Iq} = R^I_q w_q / <R^I>, W_I = <R^I>, with the integral over
    * the whole secondary surface, so that weights never change during a run.
    * Standard knot-to-surface: nodes are the Gauss points, A = 1, W_q = w_q.
    */
@@ -44,7 +44,7 @@ namespace NPT
     {
       Averaging          result;
       std::vector<Node> &nodes = result.nodes_;
-      nodes.resize(surface.n_control_points());
+      nodes.resize(surface.n_face_control_points());
       for (unsigned int q = 0; q < points.size(); ++q)
         for (unsigned int l = 0; l < points[q].averaging.lattice.size(); ++l)
           {

@@ -306,7 +306,13 @@ namespace NPT
                const ProjectionStart<dim>  &accepted,
                const unsigned int           q) const;
     double
-    reach_of_point(const ClosestPoint<dim> &c, const bool behind) const;
+    reach_of_point(const ContactPositions<dim> &positions,
+                   const ClosestPoint<dim>     &c,
+                   const bool                   behind) const;
+    // b_q of (A20) [mm].
+    double
+    distance_beside(const ContactPositions<dim> &positions,
+                    const ClosestPoint<dim>     &c) const;
     void
     set_reach_of_nodes(ContactReach &reach) const;
     // (A38) of the accepted state. @param cosines Of the angle between the

@@ -31,6 +31,13 @@ namespace NPT
       augmented_lagrangian ///< with multipliers, to given tolerances
     };
 
+    enum class RoundEdges
+    {
+      automatic, ///< where the edges are thick
+      yes,
+      no
+    };
+
     Method method = Method::mortar;
     /// A name of Registry<NamedNormalLaw>.
     std::string normal_law = "penalty";
@@ -43,7 +50,8 @@ namespace NPT
     double       maximum_penetration = 0.5;  ///< fraction of thickness
     double       maximum_overlap     = 0.2;  ///< fraction of thickness
     double       edge_radius         = 0.25; ///< fraction of thickness
-    double       kink_rounding       = 0.1;  ///< fraction of a span
+    RoundEdges   round_edges         = RoundEdges::automatic;
+    double       kink_rounding       = 0.1; ///< fraction of a span
     Enforcement  enforcement         = Enforcement::penalty;
     /// Of the augmented Lagrangian [mm]; 0: what set_thickness() says.
     double       penetration_tolerance = 0.;
@@ -81,6 +89,10 @@ namespace NPT
   template <>
   const EnumNames<ContactParameters::Enforcement> &
   enum_names<ContactParameters::Enforcement>();
+
+  template <>
+  const EnumNames<ContactParameters::RoundEdges> &
+  enum_names<ContactParameters::RoundEdges>();
 
   /// Friction coefficient by the angle between fibers; empty: not given.
   struct FrictionTable

@@ -45,6 +45,8 @@ namespace NPT
    * @param u All unknowns, of MacroUnknowns.
    * @param woven As for make_couplings().
    * @param bends_along With objective jumps: the direction of curvature.
+   * @param round_edges Whether bundles have round edges, (A47) of
+   *   doc/theory.md: what lies beyond them does not count.
    *
    * While a weaving offset holds the families apart only bundles of one family
    * are compared. A laminate has nothing to compare: its plies are one piece.
@@ -55,7 +57,8 @@ namespace NPT
                const MacroUnknowns                       &macro,
                const dealii::Vector<double>              &u,
                const std::vector<dealii::Point<3>>       &woven,
-               const std::optional<dealii::Tensor<1, 2>> &bends_along = {});
+               const std::optional<dealii::Tensor<1, 2>> &bends_along = {},
+               const bool                                 round_edges = false);
 
   /// "warp bundle 0 and weft bundle 1 at (0.1, 0.2, 0.3) mm".
   std::string

@@ -78,10 +78,16 @@ namespace NPT
     std::optional<Place>
     find(const dealii::Point<3> &x) const;
 
-    /// Distance of a point of the body from the nearest lateral face, along
-    /// the parametric lines through it [mm].
+    /**
+     * Distance of a point of the body from the nearest lateral face, along
+     * the parametric lines through it [mm].
+     *
+     * @param edge_radius Radius r of the edges where lateral faces meet [mm].
+     *   Nearer than r to both, with the distances a and b from them, the depth
+     *   is r - ((r - a)^2 + (r - b)^2)^(1/2), negative beyond the round edge.
+     */
     double
-    depth(const Place &place) const;
+    depth(const Place &place, const double edge_radius = 0.) const;
 
   private:
     using Entry = std::pair<dealii::BoundingBox<3>, unsigned int>;

@@ -7,6 +7,9 @@
 
 #include <npt_dealii/iga/iga_space.h>
 
+#include <utility>
+#include <vector>
+
 namespace NPT
 {
   /// Numbers of independent first, second and third derivatives of a function
@@ -37,7 +40,8 @@ namespace NPT
   struct SurfaceShape
   {
     using Indices = SymmetricIndices<m>;
-    /// Position of each function's control point on the surface lattice.
+    /// Position of each function's control point on the surface lattice: with
+    /// rows of the first parameter's functions, those of the face first.
     std::vector<unsigned int>                          lattice;
     std::vector<double>                                value;
     std::array<std::vector<double>, Indices::n_first>  first;
@@ -68,17 +72,36 @@ namespace NPT
      *   function (times its weight). The surface is C1 then, and still depends
      *   on all of its control points. Functions without kinks stay as they
      *   are. 0: none.
+     * @param end_rounding Length, in the last parameter of the surface, over
+     *   which the surface leaves the face at both ends of that parameter and
+     *   turns into the body down to its middle, (A47) and (A48) of
+     *   doc/theory.md: a round edge instead of the one where two faces of the
+     *   patch meet. Less than half of the parameter's range. 0: none.
      */
     IGASurface(const IGASpace<dim> &space,
                const unsigned int   patch,
                const unsigned int   direction,
                const unsigned int   side,
-               const double         kink_rounding = 0.);
+               const double         kink_rounding = 0.,
+               const double         end_rounding  = 0.);
 
+    /// All that the surface depends on: the control points of the face and,
+    /// behind them, those inside the body that round ends meet.
     unsigned int
     n_control_points() const
     {
       return control_points_.size();
+    }
+    /// The control points of the face, the first ones of the lattice.
+    unsigned int
+    n_face_control_points() const
+    {
+      return n_face_control_points_;
+    }
+    double
+    end_rounding() const
+    {
+      return end_rounding_;
     }
     unsigned int
     n_control_points(const unsigned int a) const
@@ -177,7 +200,8 @@ namespace NPT
       SurfaceShape<m>    averaging;
       dealii::Point<dim> X;
     };
-    /// Gauss points of all spans, n per direction (0: degree + 1).
+    /// Gauss points of all spans, n per direction (0: degree + 1). Where a
+    /// round end begins within a span, both parts have points of their own.
     std::vector<QuadraturePoint>
     quadrature(const unsigned int n) const;
 
@@ -189,6 +213,9 @@ namespace NPT
       double                           origin, length;
       unsigned int                     first_function;
       std::vector<std::vector<double>> coefficients;
+      /// Row of each function on the lattice, in a round end; empty: one after
+      /// the other from first_function on.
+      std::vector<unsigned int> rows;
     };
     struct Segments
     {
@@ -206,6 +233,43 @@ namespace NPT
     void
     round_kinks(Segments &segments, const double kink_rounding) const;
 
+    // Let the surface turn into the body at both ends of the last parameter.
+    void
+    round_ends(const unsigned int direction, const unsigned int side);
+
+    // The round end at the begin (0) or end (1) of the last parameter.
+    void
+    append_round_end(const unsigned int direction,
+                     const unsigned int side,
+                     const unsigned int end);
+
+    // A part of a round end without knots, between tau_begin and tau_end.
+    Segment
+    round_segment(const unsigned int direction,
+                  const unsigned int side,
+                  const unsigned int end,
+                  const double       tau_begin,
+                  const double       tau_end);
+
+    // Values of tau at which the round end meets a knot of the two directions
+    // that it runs through, with 0 and 1, and whether it is C1 there.
+    std::vector<std::pair<double, bool>>
+    cuts_of_round_end(const unsigned int direction,
+                      const unsigned int side,
+                      const unsigned int end) const;
+
+    // Row on the lattice of function j of the last parameter, in a layer of
+    // control points below the face; a new one if there is none yet.
+    unsigned int
+    row_on_lattice(const unsigned int j, const unsigned int layer);
+
+    void
+    set_control_points(const unsigned int direction, const unsigned int side);
+
+    // Gauss points lie between these parameters.
+    std::vector<double>
+    integration_breaks(const unsigned int a) const;
+
     void
     evaluate(const std::array<Segments, m>     &segments,
              const bool                         rational,
@@ -214,15 +278,19 @@ namespace NPT
              const std::array<unsigned int, m> *segment,
              SurfaceShape<m>                   &shape) const;
 
-    const IGASpace<dim>      *space_;
-    unsigned int              patch_;
-    double                    orientation_;
-    std::vector<KnotVector>   knots_;
-    std::vector<unsigned int> control_points_;
-    std::vector<double>       weights_;
-    bool                      rational_;
-    std::array<Segments, m>   segments_;
-    std::array<Segments, m>   averaging_segments_;
+    const IGASpace<dim>    *space_;
+    unsigned int            patch_;
+    double                  orientation_;
+    std::vector<KnotVector> knots_;
+    double                  end_rounding_;
+    // Function of the last parameter and layer below the face of each row.
+    std::vector<std::pair<unsigned int, unsigned int>> rows_;
+    unsigned int                                       n_face_control_points_;
+    std::vector<unsigned int>                          control_points_;
+    std::vector<double>                                weights_;
+    bool                                               rational_;
+    std::array<Segments, m>                            segments_;
+    std::array<Segments, m>                            averaging_segments_;
   };
 } // namespace NPT
 

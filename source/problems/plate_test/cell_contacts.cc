@@ -11,13 +11,21 @@ namespace NPT
 {
   namespace
   {
+    // Edges whose half height is more than this part of the thickness are
+    // thick.
+    const double thick_tip = 0.25;
+
     // The surfaces of the base bundles, each made once.
     class BundleSurfaces
     {
     public:
-      BundleSurfaces(const IGASpace<3> &space, const double kink_rounding)
-        : space_(space)
-        , kink_rounding_(kink_rounding)
+      BundleSurfaces(const FabricCell        &cell,
+                     const IGASpace<3>       &space,
+                     const ContactParameters &contact)
+        : cell_(cell)
+        , space_(space)
+        , kink_rounding_(contact.kink_rounding)
+        , round_edges_(has_round_edges(cell, contact))
       {}
 
       // Kinks matter on the primary side only, where closest points are sought.
@@ -32,7 +40,12 @@ namespace NPT
         if (surface == nullptr)
           {
             surfaces.push_back(std::make_unique<IGASurface<3>>(
-              space_, bundle, direction, side, primary ? kink_rounding_ : 0.));
+              space_,
+              bundle,
+              direction,
+              side,
+              primary ? kink_rounding_ : 0.,
+              round_edges_ && direction == 2 ? end_rounding(bundle) : 0.));
             surface = surfaces.back().get();
           }
         return *surface;
@@ -41,8 +54,45 @@ namespace NPT
       std::vector<std::unique_ptr<IGASurface<3>>> surfaces;
 
     private:
+      // Part of the parameter across over which an edge is rounded: as wide as
+      // half of the height of the edge.
+      double
+      end_rounding(const unsigned int bundle) const
+      {
+        const CellParameters &parameters = cell_.parameters();
+        const bool            warp =
+          cell_.bundles()[bundle].family == FiberBundle::Family::warp;
+        const BundleSection section =
+          warp ? parameters.warp_section() : parameters.weft_section();
+        const NURBSPatch<3> &patch = space_.patch(bundle);
+        const auto          &knots = patch.knot_vector(1).breaks();
+        const auto           at    = [&](const double v) {
+          return patch.value({patch.knot_vector(0).breaks().front(),
+                              v,
+                              0.5 * (patch.knot_vector(2).breaks().front() +
+                                     patch.knot_vector(2).breaks().back())});
+        };
+        // Some of the wide face must be left between both edges.
+        const double width = std::min(section.tip, 0.45 * section.width);
+        double       low = 0., high = 0.5 * (knots.back() - knots.front());
+        for (unsigned int i = 0; i < 60; ++i)
+          {
+            const double middle = 0.5 * (low + high);
+            (at(knots.front() + middle).distance(at(knots.front())) < width ?
+               low :
+               high)            = middle;
+          }
+        // A round edge has the functions of the body, with all kinks of a C0
+        // basis; it must not begin within a kink that is rounded.
+        if (space_.basis() != Basis::NURBS)
+          low = std::min(low, (1. - kink_rounding_) * (knots[1] - knots[0]));
+        return low;
+      }
+
+      const FabricCell  &cell_;
       const IGASpace<3> &space_;
       const double       kink_rounding_;
+      const bool         round_edges_;
       std::map<std::tuple<unsigned int, unsigned int, unsigned int, bool>,
                const IGASurface<3> *>
         faces_;
@@ -121,6 +171,19 @@ namespace NPT
 
 
 
+  bool
+  has_round_edges(const FabricCell &cell, const ContactParameters &contact)
+  {
+    using RoundEdges = ContactParameters::RoundEdges;
+    if (cell.parameters().type == "laminate")
+      return false;
+    return contact.round_edges == RoundEdges::automatic ?
+             cell.parameters().blunt_tip > thick_tip :
+             contact.round_edges == RoundEdges::yes;
+  }
+
+
+
   CellContacts
   make_cell_contacts(const FabricCell         &cell,
                      const IGASpace<3>        &space,
@@ -130,7 +193,7 @@ namespace NPT
                      MacroUnknowns            &macro)
   {
     CellContacts   result;
-    BundleSurfaces surfaces(space, contact.kink_rounding);
+    BundleSurfaces surfaces(cell, space, contact);
     const auto    &bundles = cell.bundles();
     for (const ContactCandidates &pair : cell.contacts())
       {

@@ -2,6 +2,7 @@
 // Sizes of a cell and of its stiffness, for the head of the log.
 
 #include <npt_dealii/base/short_number.h>
+#include <npt_dealii/problems/plate_test/cell_contacts.h>
 #include <npt_dealii/problems/plate_test/cell_sizes.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -130,19 +131,26 @@ namespace NPT
               {"stiffness", at_rest + " at rest"}};
     const std::string of_weft =
       describe(stiffness_at_rest(parameters.weft_material));
-    return {{"cell", sizes.type + area},
-            {"weave", sizes.weave},
-            {"spacing", describe_spacing(sizes.crossing_spacing)},
-            {"width", describe(sizes.bundle_width)},
-            {"thickness", describe(sizes.bundle_thickness)},
-            {"bundles fill", describe_fraction(cell, parameters)},
-            {"stiffness",
-             (of_weft == at_rest ? at_rest :
-                                   "warp " + at_rest + "; weft " + of_weft) +
-               " at rest"},
-            {"penalty",
-             short_number(parameters.contact.normal_penalty) + " N/mm^3, " +
-               short_number(penalty_over_stiffness(parameters), 3) +
-               " times E_T / thickness"}};
+    std::vector<std::pair<std::string, std::string>> result = {
+      {"cell", sizes.type + area},
+      {"weave", sizes.weave},
+      {"spacing", describe_spacing(sizes.crossing_spacing)},
+      {"width", describe(sizes.bundle_width)},
+      {"thickness", describe(sizes.bundle_thickness)},
+      {"bundles fill", describe_fraction(cell, parameters)},
+      {"stiffness",
+       (of_weft == at_rest ? at_rest :
+                             "warp " + at_rest + "; weft " + of_weft) +
+         " at rest"},
+      {"penalty",
+       short_number(parameters.contact.normal_penalty) + " N/mm^3, " +
+         short_number(penalty_over_stiffness(parameters), 3) +
+         " times E_T / thickness"}};
+    if (has_round_edges(cell.fabric(), parameters.contact))
+      result.emplace_back("edges",
+                          "round, of radius " +
+                            describe(WarpWeft(sizes.warp_section().tip,
+                                              sizes.weft_section().tip)));
+    return result;
   }
 } // namespace NPT

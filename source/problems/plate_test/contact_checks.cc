@@ -4,6 +4,7 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/short_number.h>
 #include <npt_dealii/homogenization/bundle_overlap.h>
+#include <npt_dealii/problems/plate_test/cell_contacts.h>
 #include <npt_dealii/problems/plate_test/contact_checks.h>
 #include <npt_dealii/problems/plate_test/contact_resolution.h>
 
@@ -57,14 +58,16 @@ namespace NPT
                                const std::vector<dealii::Point<3>> &woven,
                                const unsigned int                   n_cuts)
   {
-    const BundleOverlap overlap   = find_overlap(cell.fabric(),
-                                               cell.bodies().space(),
-                                               cell.macro(),
-                                               state.u,
-                                               woven,
-                                               stage.bends_along);
-    const double        thickness = parameters_.cell.bundle_thickness.smaller();
-    const double allowed = parameters_.contact.maximum_overlap * thickness;
+    const BundleOverlap overlap =
+      find_overlap(cell.fabric(),
+                   cell.bodies().space(),
+                   cell.macro(),
+                   state.u,
+                   woven,
+                   stage.bends_along,
+                   has_round_edges(cell.fabric(), parameters_.contact));
+    const double thickness = parameters_.cell.bundle_thickness.smaller();
+    const double allowed   = parameters_.contact.maximum_overlap * thickness;
     // Where everything is allowed the usual limit tells what is much.
     if (overlap.depth <=
         much *

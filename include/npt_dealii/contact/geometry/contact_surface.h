@@ -170,6 +170,40 @@ namespace NPT
       return result / result.norm();
     }
 
+    /// Point of the surface at parameters u.
+    dealii::Point<dim>
+    position(const std::array<double, m>           &u,
+             const std::vector<dealii::Point<dim>> &positions) const
+    {
+      SurfaceShape<m> shape;
+      surface_->evaluate(u, 0, shape);
+      dealii::Point<dim> x;
+      for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+        x += shape.value[l] * positions[shape.lattice[l]];
+      return x;
+    }
+    /// Unit vector in the tangent plane at u along which parameter k rises and
+    /// the other one, if there is one, stays.
+    dealii::Tensor<1, dim>
+    direction(const std::array<double, m>           &u,
+              const int                              k,
+              const std::vector<dealii::Point<dim>> &positions) const
+    {
+      SurfaceShape<m> shape;
+      surface_->evaluate(u, 1, shape);
+      std::array<dealii::Tensor<1, dim>, m> a;
+      for (int b = 0; b < m; ++b)
+        for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+          a[b] += shape.first[b][l] * positions[shape.lattice[l]];
+      dealii::Tensor<1, dim> result = a[k];
+      if (m == 2)
+        {
+          const auto &other = a[1 - k];
+          result -= (result * other) / other.norm_square() * other;
+        }
+      return result / result.norm();
+    }
+
     const IGASurface<dim> &
     surface() const
     {

@@ -24,6 +24,11 @@ namespace NPT
     std::vector<PeriodicImage> images;
   };
 
+  /// Whether the wide faces of bundles end in round edges, (A47) of
+  /// doc/theory.md: as said, or if their blunt edges are thick.
+  bool
+  has_round_edges(const FabricCell &cell, const ContactParameters &contact);
+
   /**
    * Make the contact of a cell.
    *
