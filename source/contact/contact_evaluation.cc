@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/contact/contact_pair.h>
+#include <npt_dealii/contact/geometry/surface_metric.h>
 
 #include <algorithm>
 #include <atomic>
@@ -52,6 +53,7 @@ namespace NPT
     step.penalty_scale       = state.penalty_scale;
     step.gap_shift           = state.gap_shift;
     step.slip_path           = state.slip_path;
+    step.law_pressure        = state.law_pressure;
     step.serial              = new_serial();
 
     ContactPositions<dim> positions;
@@ -451,6 +453,45 @@ namespace NPT
                                       step.penalty_scale);
     for (double &derivative : state.response.by_pressure)
       derivative *= factor;
+    state.law_pressure = factor * state.pressure;
+    state.dissipation  = dissipation_of_step(step, J, metric, state);
+  }
+
+
+
+  template <int dim>
+  double
+  ContactPair<dim>::dissipation_of_step(
+    const ContactStep<dim>                  &step,
+    const unsigned int                       J,
+    const typename SlipMeasure<dim>::Metric &metric,
+    const FrictionState<dim>                &state) const
+  {
+    const double by_end = state.response.dissipation;
+    if (!(by_end > 0.) || step.law_pressure.empty())
+      return by_end;
+    SurfaceMatrix<m> a;
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < m; ++j)
+        a[i][j] = metric[SymmetricIndices<m>::second(i, j)];
+    const SurfaceMatrix<m> inverse = invert_symmetric<m>(a);
+    const auto &t = state.response.traction, &t_n = step.traction_multiplier[J];
+    double      t_square = 0, along = 0;
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < m; ++j)
+        {
+          t_square += t[i] * inverse[i][j] * t[j];
+          along += t_n[i] * inverse[i][j] * t[j];
+        }
+    // In stresses along the traction: limits before and now, what is left to
+    // the limit before, and by what the stick predictor exceeds that of now.
+    const double limit    = std::sqrt(t_square);
+    const double limit_n  = limit * step.law_pressure[J] / state.law_pressure;
+    const double to_limit = std::max(0., limit_n - along / limit);
+    const double excess =
+      step.penalty_scale * friction_law_->penalty() * by_end / limit;
+    const double share = excess / (excess + to_limit);
+    return by_end * (1. - 0.5 * share * (1. - limit_n / limit));
   }
 
 

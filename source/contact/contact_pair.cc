@@ -160,6 +160,7 @@ namespace NPT
       {
         result.traction.assign(n_friction_nodes(), std::array<double, m>{});
         result.slip_path.clear();
+        result.law_pressure.clear();
       }
     return result;
   }
@@ -178,6 +179,7 @@ namespace NPT
     const ContactState<dim> accepted = accept(step, evaluation);
     result.closest                   = accepted.closest;
     result.behind                    = accepted.behind;
+    result.law_pressure              = accepted.law_pressure;
     return result;
   }
 
@@ -196,7 +198,11 @@ namespace NPT
       for (unsigned int I = 0; I < n_nodes(); ++I)
         state.multiplier[I] = evaluation.nodes[I].pressure;
     for (const FrictionState<dim> &friction : evaluation.friction)
-      state.traction.push_back(friction.response.traction);
+      {
+        state.traction.push_back(friction.response.traction);
+        if (step.friction_on)
+          state.law_pressure.push_back(friction.law_pressure);
+      }
     state.closest.resize(geometry_.points.size());
     for (unsigned int q = 0; q < state.closest.size(); ++q)
       {
@@ -240,6 +246,8 @@ namespace NPT
     for (auto &traction : result.traction)
       for (double &component : traction)
         component *= left;
+    for (double &pressure : result.law_pressure)
+      pressure *= left;
     return result;
   }
 
@@ -300,9 +308,9 @@ namespace NPT
     if (evaluation.friction_on)
       for (unsigned int J = 0; J < n_friction_nodes(); ++J)
         {
-          const FrictionResponse<m> &friction = evaluation.friction[J].response;
-          const double               W = friction_weight(evaluation.reach, J);
-          result.friction_energy += W * friction.energy;
+          const FrictionState<dim> &friction = evaluation.friction[J];
+          const double              W = friction_weight(evaluation.reach, J);
+          result.friction_energy += W * friction.response.energy;
           result.dissipation += W * friction.dissipation;
         }
     // Depth is that of points: a mean over a control point may be open where

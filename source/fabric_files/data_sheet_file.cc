@@ -146,11 +146,9 @@ namespace NPT
                ", n2: " + as_entry(n) + "\n";
       };
       out << "subsection Load programme\n"
-          << "  set Stages         = weave, release, relax, stretch, shear\n"
-          << "  # Tension, or bend, instead of shear:\n"
-          << "  # --set 'Load programme/Stages=weave, release, relax, stretch, "
-             "bend'\n"
-          << "  set Further stages = tension, bend\n";
+          << "  # Three tests of the same stretched fabric.\n"
+          << "  set Stages = weave, release, relax, stretch, tension, bend, "
+             "shear\n";
       write_stage("relax",
                   "    set Type             = relax\n"
                   "    set Relaxed fraction = 1\n",
@@ -158,21 +156,24 @@ namespace NPT
                   1.,
                   out);
       write_stage("stretch", both(sheet.tension), 0.25, 0.25, out);
-      write_stage("shear",
-                  "    set Targets      = H3: " + shear.str() + "\n",
-                  0.02,
-                  0.05,
-                  out);
+      const std::string start = "    set Start        = stretch\n";
       write_stage("tension",
-                  "    set Targets      = n1: " +
+                  start + "    set Targets      = n1: " +
                     as_entry(largest_tension_ratio * sheet.tension) + "\n",
                   0.025,
                   0.2,
                   out);
       write_stage("bend",
-                  "    set Targets      = H4: " + curvature.str() + "\n",
+                  start + "    set Targets      = H4: " + curvature.str() +
+                    "\n",
                   0.1,
                   0.2,
+                  out);
+      // Last, for it comes nearest to where a cell may fail.
+      write_stage("shear",
+                  start + "    set Targets      = H3: " + shear.str() + "\n",
+                  0.02,
+                  0.05,
                   out);
       out << "end\n";
     }

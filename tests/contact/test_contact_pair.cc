@@ -1166,3 +1166,55 @@ TEST_CASE("A block pressed on a plane carries penalty times depth times length",
           CHECK(dissipation == Approx(work).epsilon(1e-9));
         }
 }
+
+
+
+TEST_CASE("What friction dissipates under growing pressure does not depend on "
+          "the steps",
+          "[contact]")
+{
+  // A block of length 1 that slides under a pressure that grows with its path:
+  // mu |p| = 0.3 + 6 s, of which the penalty stores a part of the slip.
+  const std::vector<NURBSPatch<2>> patches = {
+    slab<2>(uniform_knots<2>(2, 1, 1),
+            [](const Point<2> &u) { return Point<2>(u[0] - 0.5, u[1] - 1.); }),
+    slab<2>(uniform_knots<2>(2, 4, 1),
+            [](const Point<2> &u) { return Point<2>(6. * u[0] - 3., u[1]); })};
+  for (const std::string &measure : slip_measures)
+    for (const std::string &method : methods)
+      for (const unsigned int n_steps : {1, 2, 5})
+        {
+          INFO(measure << ", " << method << ", " << n_steps << " steps");
+          Pair<2>    pair(patches,
+                       contact_parameters(method),
+                       0.3,
+                       Basis::NURBS,
+                       {},
+                       measure);
+          const auto at = [&](const double s) {
+            return pair.displacement(
+              [s](const Point<2> &X) {
+                return Point<2>(X[0] + s, X[1] + 0.01 + 0.2 * s);
+              },
+              [](const Point<2> &X) { return X; });
+          };
+          double     dissipation = 0.;
+          const auto step        = [&](const double from, const double to) {
+            pair.begin_step(at(from));
+            pair.evaluate(at(to));
+            dissipation += pair.summary().dissipation;
+            pair.accept();
+          };
+          step(0., 0.);
+          step(0., 0.01); // slips from 0.3/94 on, where the block is at rest
+          const auto limit = [](const double s) { return 0.3 + 6. * s; };
+          const auto exact = [&](const double from, const double to) {
+            return 0.5 * (limit(from) + limit(to)) * 0.94 * (to - from);
+          };
+          CHECK(dissipation == Approx(exact(0.3 / 94., 0.01)).epsilon(1e-9));
+          dissipation = 0.;
+          for (unsigned int k = 0; k < n_steps; ++k)
+            step(0.01 + 0.03 * k / n_steps, 0.01 + 0.03 * (k + 1) / n_steps);
+          CHECK(dissipation == Approx(exact(0.01, 0.04)).epsilon(1e-9));
+        }
+}

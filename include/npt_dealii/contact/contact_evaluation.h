@@ -36,6 +36,8 @@ namespace NPT
     double                      pressure = 0; ///< |p| >= 0 [MPa]
     std::array<double, dim - 1> slip     = {};
     FrictionResponse<dim - 1>   response;
+    double                      law_pressure = 0; ///< see ContactState
+    double                      dissipation  = 0; ///< per area, (A46)
 
     bool
     active() const

@@ -349,6 +349,12 @@ namespace NPT
     evaluate_friction(const ContactView<dim> &view,
                       const unsigned int      J,
                       FrictionState<dim>     &state) const;
+    // (A46).
+    double
+    dissipation_of_step(const ContactStep<dim>                  &step,
+                        const unsigned int                       J,
+                        const typename SlipMeasure<dim>::Metric &metric,
+                        const FrictionState<dim>                &state) const;
     void
     set_friction_pressures(ContactEvaluation<dim> &evaluation) const;
     void

@@ -30,6 +30,9 @@ namespace NPT
     /// Length of the slip of every friction node since it last opened [mm], if
     /// the friction coefficient depends on it; else empty.
     std::vector<double> slip_path;
+    /// Pressure by which the friction law limits the traction of every friction
+    /// node [MPa], with the factor of (A38); empty: not known.
+    std::vector<double> law_pressure;
     /// Factor by which the augmented Lagrangian has let both penalties grow.
     double penalty_scale = 1.;
     /// Closest point of every Gauss point; not known behind the body.

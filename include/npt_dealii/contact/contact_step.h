@@ -48,8 +48,9 @@ namespace NPT
     std::vector<double>                multiplier;
     std::vector<std::array<double, m>> traction_multiplier;
     double                             penalty_scale = 1.;
-    std::vector<double>                gap_shift; ///< see ContactState
-    std::vector<double>                slip_path; ///< see ContactState
+    std::vector<double>                gap_shift;    ///< see ContactState
+    std::vector<double>                slip_path;    ///< see ContactState
+    std::vector<double>                law_pressure; ///< see ContactState
     /// mu / mu_0 of every friction node, (A38); empty: one.
     std::vector<double> friction_factor;
     /// Tells evaluations of this step from those of others, for assertions.

@@ -22,10 +22,11 @@ namespace NPT
   {
     static constexpr unsigned int n_metric = SymmetricIndices<m>::n_second;
 
-    bool                  slipping    = false;
-    std::array<double, m> traction    = {}; ///< t_a [N/mm^2 * mm]
-    double                dissipation = 0;  ///< per area, this increment
-    double                energy      = 0;  ///< stored by the penalty
+    bool                  slipping = false;
+    std::array<double, m> traction = {}; ///< t_a [N/mm^2 * mm]
+    /// Per area, of this increment: traction at its end times slip.
+    double dissipation = 0;
+    double energy      = 0; ///< stored by the penalty
     // Derivatives of t_a by Delta xi^b, |p| and the metric a_11, a_12, a_22
     // (off-diagonal terms counted once, for the symmetric pair).
     std::array<std::array<double, m>, m>        by_slip     = {};

@@ -31,7 +31,7 @@ namespace NPT
   {
     archive &contact.friction_on &contact.traction &contact.multiplier;
     archive &contact.penalty_scale &contact.closest &contact.behind;
-    archive &contact.gap_shift &contact.slip_path;
+    archive &contact.gap_shift &contact.slip_path &contact.law_pressure;
   }
 
   template <typename Archive>

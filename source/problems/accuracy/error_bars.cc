@@ -2,6 +2,7 @@
 // Error bars from the differences of runs.
 
 #include <npt_dealii/problems/accuracy/error_bars.h>
+#include <npt_dealii/problems/plate_results/stage_starts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,9 +83,14 @@ namespace NPT
           });
         if (first == rows.end())
           continue;
-        const CurveRow before =
-          first == rows.begin() ? CurveRow() : *(first - 1);
-        const auto add = [&](const std::string &driven,
+        const CurveRow *const start_row =
+          row_before(rows,
+                     stage.name,
+                     stage.start.empty() ?
+                       StageStarts() :
+                       StageStarts{{stage.name, stage.start}});
+        const CurveRow before = start_row == nullptr ? CurveRow() : *start_row;
+        const auto     add    = [&](const std::string &driven,
                              const std::string &answer,
                              const double       target) {
           AnswerCurve curve;

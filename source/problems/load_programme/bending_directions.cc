@@ -71,10 +71,19 @@ namespace NPT
   std::string
   set_bending_directions(std::vector<LoadStage> &stages)
   {
-    Curvature                   K = {{0., 0., 0.}};
-    std::optional<Tensor<1, 2>> direction;
-    for (LoadStage &stage : stages)
+    // At the ends of the stages; K is what a stage begins with.
+    std::vector<Curvature>                   ends;
+    std::vector<std::optional<Tensor<1, 2>>> directions_of;
+    for (unsigned int k = 0; k < stages.size(); ++k)
       {
+        LoadStage                  &stage  = stages[k];
+        const auto                  before = stage_before(stages, k);
+        Curvature                   K = before ? ends[*before] : Curvature();
+        std::optional<Tensor<1, 2>> direction;
+        if (before)
+          direction = directions_of[*before];
+        else
+          K.fill(0.);
         Directions directions;
         add_direction(K, directions);
         for (const auto &target : stage.n_targets)
@@ -98,6 +107,8 @@ namespace NPT
             return "in stage " + stage.name + " " + directions.obstacle;
           }
         stage.bends_along = direction;
+        ends.push_back(K);
+        directions_of.push_back(direction);
       }
     return "";
   }

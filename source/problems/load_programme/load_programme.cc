@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/message_words.h>
+#include <npt_dealii/base/nearest_name.h>
 #include <npt_dealii/homogenization/macro_modes.h>
 #include <npt_dealii/problems/load_programme/load_programme.h>
 #include <npt_dealii/problems/load_programme/tester_targets.h>
@@ -87,6 +88,12 @@ namespace NPT
       Patterns::Map(Patterns::Selection(MacroModes::choices() + "|" +
                                         TesterTargets::choices()),
                     Patterns::Double()));
+    add_parameter(prm,
+                  "Start",
+                  start,
+                  "Name of an earlier stage at whose end this one begins; "
+                  "empty: the stage before. So several stages are independent "
+                  "tests of the same woven cell.");
     add_parameter(prm,
                   "Friction",
                   given_friction,
@@ -212,6 +219,33 @@ namespace NPT
 
 
 
+  std::optional<unsigned int>
+  stage_before(const std::vector<LoadStage> &stages, const unsigned int index)
+  {
+    AssertIndexRange(index, stages.size());
+    if (index == 0)
+      return {};
+    unsigned int before = index - 1;
+    if (!stages[index].start.empty())
+      while (before > 0 && stages[before].name != stages[index].start)
+        --before;
+    return before;
+  }
+
+
+
+  std::vector<unsigned int>
+  path_to(const std::vector<LoadStage> &stages, const unsigned int index)
+  {
+    std::vector<unsigned int> path;
+    for (std::optional<unsigned int> k = index; k; k = stage_before(stages, *k))
+      path.push_back(*k);
+    std::reverse(path.begin(), path.end());
+    return path;
+  }
+
+
+
   namespace
   {
     const std::string default_stages = "weave, release, shear";
@@ -237,51 +271,79 @@ namespace NPT
     }
 
     void
-    check_order(const std::vector<LoadStage> &stages)
+    check_start(const std::vector<LoadStage> &stages, const unsigned int index)
+    {
+      std::vector<std::string> earlier;
+      for (unsigned int k = 0; k < index; ++k)
+        earlier.push_back(stages[k].name);
+      const LoadStage &stage = stages[index];
+      if (stage.start.empty() ||
+          std::find(earlier.begin(), earlier.end(), stage.start) !=
+            earlier.end())
+        return;
+      throw InputError(
+        "Start is " + in_quotes(stage.start) +
+        (earlier.empty() ?
+           ", but the first stage has none before it; leave it empty" :
+           ", which is no stage before " + stage.name +
+             " in Stages; those "
+             "are " +
+             listed(earlier) + did_you_mean(stage.start, earlier)) +
+        " (subsection Stage " + stage.name + ").");
+    }
+
+    // On the way to a stage.
+    void
+    check_order(const std::vector<LoadStage>    &stages,
+                const std::vector<unsigned int> &path)
     {
       const std::string where =
         "; the order is weave, release, load (entry Stages, subsection Load "
         "programme).";
       const LoadStage *weave = nullptr, *release = nullptr, *load = nullptr;
-      for (const LoadStage &stage : stages)
-        switch (stage.type)
-          {
-            case LoadStage::Type::weave:
-              if (load)
-                throw InputError("Stage " + stage.name +
-                                 " weaves after load stage " + load->name +
-                                 where);
-              if (weave)
-                throw InputError("Stage " + stage.name + " weaves what stage " +
-                                 weave->name + " has woven already" + where);
-              weave = &stage;
-              break;
-            case LoadStage::Type::release:
-              if (!weave)
-                throw InputError("Stage " + stage.name +
-                                 " releases, but no stage before it weaves" +
-                                 where);
-              if (release)
-                throw InputError("Stage " + stage.name +
-                                 " releases what stage " + release->name +
-                                 " has released already" + where);
-              release = &stage;
-              break;
-            case LoadStage::Type::relax:
-              if (!release)
-                throw InputError("Stage " + stage.name +
-                                 " relaxes, but no stage before it releases "
-                                 "a weave" +
-                                 where);
-              break;
-            default: // a test
-              if (weave && !release)
-                throw InputError("Stage " + stage.name +
-                                 " loads before the weave of stage " +
-                                 weave->name + " is released" + where);
-              load = &stage;
-              break;
-          }
+      for (const unsigned int k : path)
+        {
+          const LoadStage &stage = stages[k];
+          switch (stage.type)
+            {
+              case LoadStage::Type::weave:
+                if (load)
+                  throw InputError("Stage " + stage.name +
+                                   " weaves after load stage " + load->name +
+                                   where);
+                if (weave)
+                  throw InputError("Stage " + stage.name +
+                                   " weaves what stage " + weave->name +
+                                   " has woven already" + where);
+                weave = &stage;
+                break;
+              case LoadStage::Type::release:
+                if (!weave)
+                  throw InputError("Stage " + stage.name +
+                                   " releases, but no stage before it weaves" +
+                                   where);
+                if (release)
+                  throw InputError("Stage " + stage.name +
+                                   " releases what stage " + release->name +
+                                   " has released already" + where);
+                release = &stage;
+                break;
+              case LoadStage::Type::relax:
+                if (!release)
+                  throw InputError("Stage " + stage.name +
+                                   " relaxes, but no stage before it releases "
+                                   "a weave" +
+                                   where);
+                break;
+              default: // a test
+                if (weave && !release)
+                  throw InputError("Stage " + stage.name +
+                                   " loads before the weave of stage " +
+                                   weave->name + " is released" + where);
+                load = &stage;
+                break;
+            }
+        }
     }
   } // namespace
 
@@ -351,7 +413,22 @@ namespace NPT
                            "(subsection Load programme).");
         stage.complete();
       }
-    check_order(stages);
+    for (unsigned int k = 0; k < stages.size(); ++k)
+      check_start(stages, k);
+    for (unsigned int k = 0; k < stages.size(); ++k)
+      check_order(stages, path_to(stages, k));
+  }
+
+
+
+  std::map<std::string, std::string>
+  LoadProgramme::branches() const
+  {
+    std::map<std::string, std::string> result;
+    for (unsigned int k = 1; k < stages.size(); ++k)
+      if (const unsigned int before = *stage_before(stages, k); before + 1 != k)
+        result[stages[k].name] = stages[before].name;
+    return result;
   }
 
 

@@ -110,10 +110,14 @@ namespace NPT
   check_targets(const std::vector<LoadStage> &stages,
                 const double                  half_thickness)
   {
-    KnownGradients H;
-    H.fill(0.); // held until a stage says otherwise
-    for (const LoadStage &stage : stages)
+    std::vector<KnownGradients> ends;
+    for (unsigned int k = 0; k < stages.size(); ++k)
       {
+        const LoadStage &stage = stages[k];
+        KnownGradients   H;
+        H.fill(0.); // held until a stage says otherwise
+        if (const auto before = stage_before(stages, k))
+          H = ends[*before];
         for (const auto &target : stage.n_targets)
           H[target.first].reset();
         if (stage.leads_yarns()) // unless all of them follow
@@ -125,6 +129,7 @@ namespace NPT
         if (!obstacle.empty())
           throw InputError("Targets: " + obstacle + " (subsection Stage " +
                            stage.name + ").");
+        ends.push_back(H);
       }
   }
 } // namespace NPT

@@ -155,10 +155,16 @@ namespace NPT
         return std::string("nothing crosses between neighboring ") +
                (warp ? "warp" : "weft") + " bundles on the same side";
 
-    FreedGradients freed(cell);
-    Gradients      H{};
-    for (const LoadStage &stage : programme.stages)
+    // At the ends of the stages.
+    std::vector<std::pair<FreedGradients, Gradients>> ends;
+    for (unsigned int i = 0; i < programme.stages.size(); ++i)
       {
+        const LoadStage &stage  = programme.stages[i];
+        const auto       before = stage_before(programme.stages, i);
+        auto [freed, H] =
+          before ? ends[*before] :
+                   std::pair<FreedGradients, Gradients>(FreedGradients(cell),
+                                                        Gradients{});
         freed.follow(stage);
         const std::string unknown = freed.unknown();
         if (!unknown.empty())
@@ -190,7 +196,7 @@ namespace NPT
             if (!reason.empty())
               return reason;
           }
-        H = end;
+        ends.emplace_back(freed, end);
       }
     return "";
   }

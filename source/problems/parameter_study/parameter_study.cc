@@ -7,6 +7,7 @@
 #include <npt_dealii/io/output_folder.h>
 #include <npt_dealii/io/replace_file.h>
 #include <npt_dealii/problems/parameter_study/parameter_study.h>
+#include <npt_dealii/problems/parameter_study/sensitivity_results.h>
 #include <npt_dealii/problems/parameter_study/stability_map.h>
 #include <npt_dealii/problems/parameter_study/work_precision.h>
 #include <npt_dealii/problems/plate_results/curve_family.h>
@@ -130,7 +131,8 @@ namespace NPT
           member.rows =
             stage_rows(curve_of(directory, cases[i]),
                        study.stage.empty() ? study.details[i].last_stage :
-                                             study.stage);
+                                             study.stage,
+                       study.details[i].starts);
           // What ended early is drawn as far as it came, and says so.
           if (cases[i].result.status != "done")
             member.label += (member.label.empty() ? "(" : " (") +
@@ -228,8 +230,68 @@ namespace NPT
       return stage_curve(curve_of(directory, c),
                          study.stage.empty() ? details.last_stage : study.stage,
                          x_column(study, details),
-                         y_columns(study, details)[0]);
+                         y_columns(study, details)[0],
+                         details.starts);
     }
+
+    // The ordinate where the curve first passes an abscissa; not a number if
+    // it does not.
+    double
+    value_at(const std::vector<CurveRow> &rows,
+             const std::string           &x_name,
+             const std::string           &y_name,
+             const double                 x)
+    {
+      for (std::size_t i = 1; i < rows.size(); ++i)
+        {
+          const double a = curve_value(rows[i - 1], x_name),
+                       b = curve_value(rows[i], x_name);
+          if ((x - a) * (x - b) > 0. || !(a != b))
+            continue;
+          const double y = curve_value(rows[i - 1], y_name);
+          return y + (x - a) / (b - a) * (curve_value(rows[i], y_name) - y);
+        }
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+
+    std::string
+    finish_sensitivity(const StudyParameters        &study,
+                       const std::vector<SweepCase> &cases,
+                       const std::string            &directory,
+                       std::ostream                 &screen)
+    {
+      const Details                     &details = study.details[0];
+      const std::string                  x_name  = x_column(study, details);
+      std::vector<std::vector<CurveRow>> curves;
+      for (const SweepCase &c : cases)
+        curves.push_back(
+          stage_rows(curve_of(directory, c),
+                     study.stage.empty() ? details.last_stage : study.stage,
+                     details.starts));
+      std::vector<SensitivityQuantity> quantities;
+      for (const std::string &y_name : y_columns(study, details))
+        for (const double x : study.at)
+          {
+            std::vector<double> values;
+            for (const std::vector<CurveRow> &rows : curves)
+              values.push_back(value_at(rows, x_name, y_name, x));
+            quantities.push_back(
+              {y_name,
+               x,
+               study.rows,
+               static_cast<unsigned int>(
+                 std::count_if(values.begin(),
+                               values.end(),
+                               [](const double y) { return std::isnan(y); })),
+               sensitivity_of(values, study.inputs.size())});
+            screen << describe(quantities.back(), x_name, study.inputs)
+                   << std::endl;
+          }
+      return write_sensitivity(
+        directory, study.inputs, quantities, x_name, study.title);
+    }
+
+
 
     // A group of cases and the finest of its references.
     std::pair<WorkGroup, StudyCurve>
@@ -377,6 +439,8 @@ namespace NPT
                    finish_sweep(study, cases, directory) :
                  study.kind == StudyParameters::Kind::stability_map ?
                    finish_map(study, cases, directory) :
+                 study.kind == StudyParameters::Kind::sensitivity ?
+                   finish_sensitivity(study, cases, directory, screen) :
                    finish_work_precision(study, cases, references, directory);
     if (!warning.empty())
       screen << "Warning: " << warning << std::endl;

@@ -6,6 +6,7 @@
 #include <npt_dealii/base/message_words.h>
 #include <npt_dealii/base/parameter_binding.h>
 #include <npt_dealii/base/problem_names.h>
+#include <npt_dealii/problems/parameter_study/sensitivity_ranges.h>
 #include <npt_dealii/problems/parameter_study/study_parameters.h>
 #include <npt_dealii/problems/plate_results/curve_writer.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
@@ -87,7 +88,8 @@ namespace NPT
     static const EnumNames<Kind> names = {
       {Kind::sweep, "sweep"},
       {Kind::work_precision, "work-precision"},
-      {Kind::stability_map, "stability map"}};
+      {Kind::stability_map, "stability map"},
+      {Kind::sensitivity, "sensitivity"}};
     return names;
   }
 
@@ -145,8 +147,9 @@ namespace NPT
       kind,
       "What is made of the cases besides their table: the curves of all in "
       "one picture (sweep), error against CPU time with the Pareto front and "
-      "recommended settings (work-precision), or maps of success, iterations "
-      "and cuts (stability map).");
+      "recommended settings (work-precision), maps of success, iterations "
+      "and cuts (stability map), or how much of the variance of a curve comes "
+      "from each of the entries that have ranges {0.1 .. 0.4} (sensitivity).");
     add_parameter(prm,
                   "Base",
                   base_,
@@ -229,6 +232,19 @@ namespace NPT
                   "sweep: also draw the Newton iterations, averaged over "
                   "so many load steps; 0 does not.",
                   Patterns::Integer(0, 10000));
+    add_parameter(prm,
+                  "Rows",
+                  rows,
+                  "sensitivity: rows N of the design; with d ranges there are "
+                  "N (d + 2) cases. Powers of 2 are best. More rows go on "
+                  "with the cases of fewer.",
+                  Patterns::Integer(2, 5000));
+    add_parameter(prm,
+                  "At",
+                  at,
+                  "sensitivity: the abscissas at which the ordinates of Curve "
+                  "are compared, as in 10, 20, 30, 40.",
+                  Patterns::List(Patterns::Double(), 0));
   }
 
 
@@ -370,6 +386,44 @@ namespace NPT
 
 
 
+  ParameterText
+  StudyParameters::sample_ranges(const Texts              &texts,
+                                 std::vector<std::string> &paths) const
+  {
+    if (kind != Kind::sensitivity)
+      return texts.plate;
+    if (texts.bases.size() > 1)
+      throw InputError("Base names " + std::to_string(texts.bases.size()) +
+                       " files; a sensitivity study has one" + in_study);
+    if (at.empty())
+      throw InputError("At is empty; a sensitivity study compares the "
+                       "ordinates of Curve at given abscissas, as At = 0.1, "
+                       "0.2" +
+                       in_study);
+    const SensitivityRanges ranges(texts.plate);
+    for (const InputRange &input : ranges.inputs())
+      paths.push_back(input.path);
+    return ranges.sampled(rows);
+  }
+
+
+
+  void
+  StudyParameters::name_inputs(const std::vector<std::string> &paths)
+  {
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      {
+        std::string name = loops->loops()[loops->find(paths[i], in_study)].name;
+        if (std::count(paths.begin(), paths.end(), paths[i]) > 1)
+          name +=
+            " " + std::to_string(
+                    std::count(paths.begin(), paths.begin() + i + 1, paths[i]));
+        inputs.push_back(name);
+      }
+  }
+
+
+
   StudyParameters::Details
   StudyParameters::read_case(const Texts         &texts,
                              const unsigned int   group,
@@ -389,6 +443,7 @@ namespace NPT
         Details     found;
         found.group      = group;
         found.last_stage = stages.back().name;
+        found.starts     = parameters.load_programme.branches();
         double largest   = 0;
         for (const auto *targets :
              {&stages.back().n_targets, &stages.back().H_targets})
@@ -512,8 +567,10 @@ namespace NPT
     ParameterText loop_text;
     if (!study.base_.empty())
       append_entry(loop_text, base_entry, study.base_);
-    append(loop_text, texts.plate);
+    std::vector<std::string> paths; // of inputs
+    append(loop_text, study.sample_ranges(texts, paths));
     study.loops = std::make_unique<ParameterLoops>(loop_text);
+    study.name_inputs(paths);
     study.check_swept_entries();
     study.read_cases(texts);
     study.read_references(texts);

@@ -63,15 +63,20 @@ namespace NPT
 
 
   std::vector<CurveRow>
-  stage_rows(const std::vector<CurveRow> &rows, const std::string &stage)
+  stage_rows(const std::vector<CurveRow> &rows,
+             const std::string           &stage,
+             const StageStarts           &starts)
   {
     std::vector<CurveRow> result;
-    for (std::size_t r = 0; r < rows.size(); ++r)
-      if (rows[r].stage == stage)
+    for (const CurveRow &row : rows)
+      if (row.stage == stage)
         {
           if (result.empty())
-            result.push_back(r > 0 ? rows[r - 1] : CurveRow());
-          result.push_back(rows[r]);
+            {
+              const CurveRow *const before = row_before(rows, stage, starts);
+              result.push_back(before == nullptr ? CurveRow() : *before);
+            }
+          result.push_back(row);
         }
     return result;
   }
@@ -82,10 +87,11 @@ namespace NPT
   stage_curve(const std::vector<CurveRow> &rows,
               const std::string           &stage,
               const std::string           &x_column,
-              const std::string           &y_column)
+              const std::string           &y_column,
+              const StageStarts           &starts)
   {
     StudyCurve curve;
-    for (const CurveRow &row : stage_rows(rows, stage))
+    for (const CurveRow &row : stage_rows(rows, stage, starts))
       {
         curve.x.push_back(curve_value(row, x_column));
         curve.y.push_back(curve_value(row, y_column));

@@ -94,16 +94,18 @@ namespace NPT
     // The rows of some stages, with the one before them.
     std::vector<CurveRow>
     rows_of(const std::vector<CurveRow>    &curve,
-            const std::vector<std::string> &stages)
+            const std::vector<std::string> &stages,
+            const StageStarts              &starts)
     {
       std::vector<CurveRow> rows;
-      for (std::size_t i = 0; i < curve.size(); ++i)
-        if (std::find(stages.begin(), stages.end(), curve[i].stage) !=
-            stages.end())
+      for (const CurveRow &row : curve)
+        if (std::find(stages.begin(), stages.end(), row.stage) != stages.end())
           {
-            if (rows.empty() && i > 0)
-              rows.push_back(curve[i - 1]);
-            rows.push_back(curve[i]);
+            const CurveRow *const before =
+              rows.empty() ? row_before(curve, row.stage, starts) : nullptr;
+            if (before != nullptr)
+              rows.push_back(*before);
+            rows.push_back(row);
           }
       return rows;
     }
@@ -409,13 +411,14 @@ namespace NPT
 
   std::vector<KesValue>
   kes_values(const std::vector<CurveRow> &curve,
-             const KesParameters         &parameters)
+             const KesParameters         &parameters,
+             const StageStarts           &starts)
   {
     std::vector<KesValue> values;
     const auto            add = [&](const std::vector<std::string> &stages,
                          void (*of_rows)(const std::vector<CurveRow> &,
                                          std::vector<KesValue> &)) {
-      const std::vector<CurveRow> rows = rows_of(curve, stages);
+      const std::vector<CurveRow> rows = rows_of(curve, stages, starts);
       if (rows.size() > 1)
         of_rows(rows, values);
     };

@@ -175,7 +175,9 @@ namespace NPT
     };
 
     std::vector<StageGroup>
-    group_stages(const std::vector<CurveRow> &rows, const AxesOfStages &axes)
+    group_stages(const std::vector<CurveRow> &rows,
+                 const AxesOfStages          &axes,
+                 const StageStarts           &starts)
     {
       std::vector<StageGroup> groups;
       for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end)
@@ -190,7 +192,7 @@ namespace NPT
           const auto             own       = axes.find(stage[0].stage);
           const StageAxes *const stage_axes =
             own == axes.end() ? nullptr : &own->second;
-          if (groups.empty() ||
+          if (groups.empty() || starts.count(stage[0].stage) > 0 ||
               !groups.back().is_continued_by(component, stage_axes))
             groups.push_back({{}, {}, component, stage_axes});
           groups.back().stages.push_back(stage[0].stage);
@@ -271,10 +273,12 @@ namespace NPT
 
 
   std::vector<PlotSpec>
-  default_plots(const std::vector<CurveRow> &rows, const AxesOfStages &axes)
+  default_plots(const std::vector<CurveRow> &rows,
+                const AxesOfStages          &axes,
+                const StageStarts           &starts)
   {
     std::vector<PlotSpec> plots;
-    for (const StageGroup &group : group_stages(rows, axes))
+    for (const StageGroup &group : group_stages(rows, axes, starts))
       {
         const PlotSpec response = response_panel(group);
         plots.push_back(response);
@@ -319,10 +323,12 @@ namespace NPT
 
 
   bool
-  write_curves_script(const std::string &folder, const AxesOfStages &axes)
+  write_curves_script(const std::string  &folder,
+                      const AxesOfStages &axes,
+                      const StageStarts  &starts)
   {
     const std::vector<PlotSpec> panels =
-      default_plots(read_curves(folder + "/curves.csv"), axes);
+      default_plots(read_curves(folder + "/curves.csv"), axes, starts);
     if (panels.empty())
       return false;
     write_plot_script(folder + "/curves.gp", "curves.csv", "curves", panels);

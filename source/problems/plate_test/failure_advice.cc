@@ -42,7 +42,7 @@ namespace NPT
           if (!mode.is_extension())
             continue;
           bool held = true;
-          for (unsigned int k = 0; k <= index; ++k)
+          for (const unsigned int k : path_to(stages, index))
             {
               held = (held || stages[k].H_targets.count(n) > 0) &&
                      stages[k].n_targets.count(n) == 0;

@@ -14,6 +14,7 @@
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -57,7 +58,8 @@ namespace NPT
     contact_checks_.warn_of_coarse_averages(*cell_);
 
     // Weave, release, load: every stage drives the macro unknowns to its
-    // targets in load steps of adaptive length.
+    // targets in load steps of adaptive length, from the end of the stage
+    // before it or of that which it names.
     for (unsigned int i = stage_; i < parameters_.load_programme.stages.size();
          ++i)
       run_stage(i);
@@ -132,6 +134,7 @@ namespace NPT
     stage_           = checkpoint_->stage;
     stage_start_     = checkpoint_->stage_start;
     start_woven_     = checkpoint_->start_woven;
+    ends_            = checkpoint_->ends;
     contact_checks_.set_overlap_warned_of(checkpoint_->overlap_warned_of);
     AssertThrow(state_.u.size() == cell_->macro().n_unknowns() &&
                   state_.contact.size() == cell_->contacts().size(),
@@ -186,6 +189,7 @@ namespace NPT
     stage_ = index;
     if (!resumes())
       {
+        go_to_start(index);
         stage_start_ = state_;
         start_woven_ = woven_;
       }
@@ -221,7 +225,39 @@ namespace NPT
                             OutOfMemory::remedy()),
                 index);
       }
+    keep_end(stage);
     results_.end_stage(*cell_, stage, state_, woven_);
+  }
+
+
+
+  void
+  NumericalPlateTesting::go_to_start(const unsigned int index)
+  {
+    const auto &stages = parameters_.load_programme.stages;
+    const auto  before = stage_before(stages, index);
+    if (!before || *before + 1 == index)
+      return;
+    const auto end = ends_.find(stages[*before].name);
+    AssertThrow(end != ends_.end(), dealii::ExcInternalError());
+    state_ = end->second.state;
+    woven_ = end->second.woven;
+    log_.line("Stage " + stages[index].name + " begins at the end of stage " +
+              stages[*before].name + ".");
+  }
+
+
+
+  void
+  NumericalPlateTesting::keep_end(const LoadStage &stage)
+  {
+    const auto &stages = parameters_.load_programme.stages;
+    if (stage.type == LoadStage::Type::release ||
+        stage.type == LoadStage::Type::relax ||
+        std::any_of(stages.begin(), stages.end(), [&](const LoadStage &other) {
+          return other.start == stage.name;
+        }))
+      ends_[stage.name] = {state_, woven_};
   }
 
 
@@ -401,6 +437,7 @@ namespace NPT
       checkpoint.couplings = couplings_;
     else
       checkpoint.has_pattern = false;
+    checkpoint.ends    = ends_;
     checkpoint.results = results_.memory();
     const std::string directory =
       checkpoint_file_.substr(0, checkpoint_file_.rfind('/'));

@@ -25,7 +25,7 @@ namespace NPT
   {
     // Of the archive below; raise it with every change there or in
     // state_archive.h.
-    constexpr unsigned int checkpoint_version = 2;
+    constexpr unsigned int checkpoint_version = 3;
   } // namespace
 
 
@@ -54,6 +54,13 @@ namespace NPT
 
   template <typename Archive>
   void
+  serialize(Archive &archive, StageEnd &end, const unsigned int)
+  {
+    archive &end.state &end.woven;
+  }
+
+  template <typename Archive>
+  void
   serialize(Archive             &archive,
             PlateTestCheckpoint &checkpoint,
             const unsigned int)
@@ -64,7 +71,7 @@ namespace NPT
     archive &checkpoint.woven &checkpoint.not_elliptic_in;
     archive &checkpoint.overlap_warned_of &checkpoint.has_pattern;
     archive &checkpoint.couplings &checkpoint.expects_indefinite;
-    archive &checkpoint.results &checkpoint.files;
+    archive &checkpoint.results &checkpoint.files &checkpoint.ends;
   }
 
 
@@ -170,6 +177,29 @@ namespace NPT
               "Stages, subsection Load programme)");
     }
 
+    // A stage that lies ahead begins at the end of the present one, of one
+    // that lies ahead as well, or of one whose end was kept.
+    void
+    check_starts(const std::string            &filename,
+                 const PlateTestCheckpoint    &checkpoint,
+                 const std::vector<LoadStage> &stages)
+    {
+      for (unsigned int k = checkpoint.stage + 1; k < stages.size(); ++k)
+        {
+          const unsigned int before = *stage_before(stages, k);
+          if (before >= checkpoint.stage ||
+              checkpoint.ends.count(stages[before].name) > 0)
+            continue;
+          refuse_checkpoint(filename,
+                            "has not kept the end of stage " +
+                              stages[before].name + ", where stage " +
+                              stages[k].name +
+                              " begins; begin anew, or set Start to another "
+                              "stage (subsection Stage " +
+                              stages[k].name + ")");
+        }
+    }
+
     PlateTestCheckpoint
     unpack(const std::string &filename, const std::string &contents)
     {
@@ -271,6 +301,7 @@ namespace NPT
         if (name != "Output/Directory")
           differences.push_back(difference);
       }
+    check_starts(filename, checkpoint, parameters.load_programme.stages);
     const std::string choices = choices_of_program(parameters);
     if (choices != checkpoint.choices)
       refuse_checkpoint(filename,

@@ -292,7 +292,10 @@ namespace NPT
       if (!obstacle.empty())
         for (LoadStage &stage : stages)
           stage.bends_along.reset();
-      const bool bends = !stages.empty() && stages.back().bends_along;
+      const bool bends =
+        std::any_of(stages.begin(), stages.end(), [](const LoadStage &stage) {
+          return stage.bends_along.has_value();
+        });
       if (jumps == Jumps::automatic && (bends || !obstacle.empty()))
         parameters.reason_for_jumps =
           bends ? "objective: neighboring cells turn with the bent plate" :
@@ -337,17 +340,22 @@ namespace NPT
     // A stage that is left out would be a jump in the curve of the test.
     void
     check_order_of_kes_stages(const KesParameters            &kes,
+                              const std::vector<LoadStage>   &programme,
                               const std::vector<std::string> &names)
     {
-      const auto place = [&](const std::string &name) {
-        return std::find(names.begin(), names.end(), name) - names.begin();
+      const auto name_before = [&](const std::string &name) {
+        const auto before =
+          stage_before(programme,
+                       std::find(names.begin(), names.end(), name) -
+                         names.begin());
+        return before ? names[*before] : std::string();
       };
       const auto stages = kes.stages();
       for (std::size_t k = 1; k < stages.size(); ++k)
         {
           const auto &[before, entry]   = stages[k - 1];
           const auto &[name, its_entry] = stages[k];
-          if (its_entry == entry && place(name) != place(before) + 1)
+          if (its_entry == entry && name_before(name) != before)
             throw InputError(entry + " names " + before + " and " + name +
                              ", which do not follow each other in Stages; the "
                              "stages of a test are one curve (subsection "
@@ -360,10 +368,15 @@ namespace NPT
     {
       const auto              &stages = parameters.load_programme.stages;
       std::vector<std::string> names;
-      std::string              pressed_before;
-      for (const LoadStage &stage : stages)
+      // Of every stage the last one up to its end that presses.
+      std::vector<std::string> pressed_by;
+      for (unsigned int k = 0; k < stages.size(); ++k)
         {
+          const LoadStage &stage = stages[k];
           names.push_back(stage.name);
+          const auto        before = stage_before(stages, k);
+          const std::string pressed_before =
+            before ? pressed_by[*before] : std::string();
           const bool presses = stage.type == LoadStage::Type::compression;
           if (parameters.cell.n_layers > 1 && !presses &&
               !pressed_before.empty())
@@ -372,8 +385,7 @@ namespace NPT
                              ", which presses layers together; behind it they "
                              "can only be pressed (subsections Load programme "
                              "and Cell, entry Layers).");
-          if (presses)
-            pressed_before = stage.name;
+          pressed_by.push_back(presses ? stage.name : pressed_before);
           for (const unsigned int n : stage.driven_modes())
             if (parameters.cell.n_layers > 1 &&
                 MacroModes::table[n].kind == MacroMode::Kind::bending)
@@ -399,7 +411,7 @@ namespace NPT
                            ", which the load programme does not have" +
                            did_you_mean(name, names) + "; it has " +
                            joined(names, ", ") + " (subsection KES).");
-      check_order_of_kes_stages(parameters.kes, names);
+      check_order_of_kes_stages(parameters.kes, stages, names);
     }
   } // namespace
 

@@ -13,6 +13,7 @@
 #include <npt_dealii/problems/plate_results/curve_column.h>
 #include <npt_dealii/problems/plate_results/hysteresis.h>
 #include <npt_dealii/problems/plate_results/plots.h>
+#include <npt_dealii/problems/plate_results/stage_starts.h>
 #include <npt_dealii/problems/plate_test/cell_sizes.h>
 #include <npt_dealii/problems/plate_test/curvature_range.h>
 #include <npt_dealii/problems/plate_test/plate_step.h>
@@ -234,10 +235,17 @@ namespace NPT
     row.step        = memory_.curve.size() + 1;
     row.stage       = stage.name;
     row.load_factor = state.load_factor;
-    if (!memory_.curve.empty())
+    const bool goes_on =
+      !memory_.curve.empty() && memory_.curve.back().stage == stage.name;
+    const CurveRow *const before =
+      goes_on ? &memory_.curve.back() :
+                row_before(memory_.curve,
+                           stage.name,
+                           parameters_.load_programme.branches());
+    if (before != nullptr)
       {
-        row.dissipation   = memory_.curve.back().dissipation;
-        row.external_work = memory_.curve.back().external_work;
+        row.dissipation   = before->dissipation;
+        row.external_work = before->external_work;
       }
     // Weaving does work through its own offset, which is not counted.
     double work = 0;
@@ -271,7 +279,7 @@ namespace NPT
       }
     row.contact_energy = state.energies.contact; // with that of plates
     if (stage.type == LoadStage::Type::relax) // with what friction dissipates
-      row.dissipation = memory_.curve.back().dissipation +
+      row.dissipation = (before != nullptr ? before->dissipation : 0.) +
                         state.energies.dissipation -
                         step.before.energies.dissipation;
     row.stored_energy     = state.energies.stored;
@@ -527,7 +535,9 @@ namespace NPT
           if (const StageAxes own = tester_axes(stage); !own.x_column.empty())
             axes.emplace(stage.name, own);
         // First, because a script that fails ends gnuplot.
-        if (write_curves_script(directory_, axes))
+        if (write_curves_script(directory_,
+                                axes,
+                                parameters_.load_programme.branches()))
           scripts.push_back("curves.gp");
         else
           log_.warning(
@@ -558,13 +568,18 @@ namespace NPT
                            ConstrainedSystem  &system)
   {
     log_.finish();
-    if (const auto loop = last_loop(memory_.curve, cell.fabric().area()))
+    const StageStarts           starts = parameters_.load_programme.branches();
+    const std::vector<CurveRow> last_test =
+      memory_.curve.empty() ?
+        memory_.curve :
+        rows_to(memory_.curve, memory_.curve.back().stage, starts);
+    if (const auto loop = last_loop(last_test, cell.fabric().area()))
       {
         log_.line(describe(*loop));
         if (!directory_.empty())
           write_hysteresis(directory_ + "/hysteresis.csv", *loop);
       }
-    const auto kes = kes_values(memory_.curve, parameters_.kes);
+    const auto kes = kes_values(memory_.curve, parameters_.kes, starts);
     if (!kes.empty())
       {
         log_.line(describe(kes));

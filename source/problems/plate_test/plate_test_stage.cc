@@ -40,7 +40,7 @@ namespace NPT
                    const unsigned int            index)
     {
       bool weaving_began = false;
-      for (unsigned int k = 0; k <= index; ++k)
+      for (const unsigned int k : path_to(stages, index))
         weaving_began =
           weaving_began || stages[k].type == LoadStage::Type::weave;
       return weaving_began && (stages[index].type == LoadStage::Type::weave ||
@@ -71,6 +71,11 @@ namespace NPT
     , parameters_(parameters)
     , index_(index)
     , stage_(parameters.load_programme.stages[index])
+    , stage_before_(
+        index == 0 ?
+          nullptr :
+          &parameters.load_programme
+             .stages[*stage_before(parameters.load_programme.stages, index)])
     , system_(system)
     , timer_(timer)
   {
@@ -106,7 +111,8 @@ namespace NPT
     foundation_.add_groups(system);
     frame_.add_group(system);
     plates_.add_groups(system);
-    start_ = make_start(before, index > 0 && stages[index - 1].friction);
+    start_ =
+      make_start(before, stage_before_ != nullptr && stage_before_->friction);
     friction_let_go_ = before.energies.friction - start_.energies.friction;
     if (plates_.are_used())
       {
@@ -162,8 +168,10 @@ namespace NPT
   PlateTestStage::set_loads(const std::vector<LoadStage> &stages,
                             const State                  &before)
   {
-    for (unsigned int k = 0; k < index_; ++k)
+    for (const unsigned int k : path_to(stages, index_))
       {
+        if (k == index_)
+          break;
         for (const auto &target : stages[k].H_targets)
           resultant_controlled_[target.first] = false;
         for (const auto &target : stages[k].n_targets)
@@ -268,8 +276,7 @@ namespace NPT
     // somewhere else, to its mean height.
     State start = before;
     if (jumps_ != nullptr &&
-        (index_ == 0 ||
-         !parameters_.load_programme.stages[index_ - 1].bends_along))
+        (stage_before_ == nullptr || !stage_before_->bends_along))
       {
         jumps_->raise(-mean_height_.value(start.u), start.u);
         start.u[cell_.macro().support()] = 0.; // of a frame before
@@ -311,8 +318,8 @@ namespace NPT
   PlateTestStage::move_plates(State &start) const
   {
     const bool there_already =
-      index_ > 0 && parameters_.load_programme.stages[index_ - 1].type ==
-                      LoadStage::Type::compression;
+      stage_before_ != nullptr &&
+      stage_before_->type == LoadStage::Type::compression;
     double      &reaction = start.reactions[MacroUnknowns::n_macro];
     const double overlap =
       plate_overlap * parameters_.cell.bundle_thickness.smaller();

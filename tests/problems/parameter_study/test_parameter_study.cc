@@ -117,7 +117,8 @@ TEST_CASE("A mistake in a study is refused with one sentence", "[top]")
 {
   CHECK(message_of("subsection Study\n set Kind = swep\nend\n") ==
         "made.prm:3: entry 'Kind' in subsection 'Study' is 'swep'; it must be "
-        "one of: sweep, work-precision, stability map; did you mean 'sweep'?");
+        "one of: sweep, work-precision, stability map, sensitivity; did you "
+        "mean 'sweep'?");
   CHECK(message_of("subsection Study\n set Base = sheer.prm\nend\n") ==
         "made.prm:3: Base: file 'sheer.prm' not found; did you mean "
         "'shear.prm'?");

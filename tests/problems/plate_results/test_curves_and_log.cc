@@ -7,6 +7,7 @@
 #include <npt_dealii/problems/plate_results/curve_writer.h>
 #include <npt_dealii/problems/plate_results/driving_component.h>
 #include <npt_dealii/problems/plate_results/plots.h>
+#include <npt_dealii/problems/plate_results/stage_starts.h>
 #include <npt_dealii/problems/plate_results/step_table.h>
 
 #include <catch2/catch.hpp>
@@ -319,4 +320,37 @@ TEST_CASE("A line after the progress bar leaves nothing of the bar", "[output]")
   CHECK(NPT::format_duration(42.) == "42 s");
   CHECK(NPT::format_duration(185.) == "3 min 05 s");
   CHECK(NPT::format_duration(7620.) == "2 h 07 min");
+}
+
+
+
+TEST_CASE("Of several tests of one state each has its own way and its own "
+          "picture",
+          "[output]")
+{
+  std::vector<NPT::CurveRow> rows;
+  for (const std::string name :
+       {"weave", "weave", "shear", "shear", "again", "again", "again"})
+    {
+      NPT::CurveRow row;
+      row.stage = name;
+      row.step  = rows.size() + 1;
+      row.H[2]  = name == "weave" ? 0. : 0.1 * row.step;
+      row.n[2]  = row.H[2];
+      rows.push_back(row);
+    }
+  const NPT::StageStarts starts = {{"again", "weave"}};
+  CHECK(NPT::row_before(rows, "weave", starts) == nullptr);
+  CHECK(NPT::row_before(rows, "shear", starts)->step == 2);
+  CHECK(NPT::row_before(rows, "again", starts)->step == 2);
+  CHECK(NPT::row_before(rows, "again")->step == 4);
+  CHECK(NPT::row_before(rows, "next")->step == 7);
+  CHECK(NPT::rows_to(rows, "again", starts).size() == 5);
+  CHECK(NPT::rows_to(rows, "again", starts)[2].stage == "again");
+  CHECK(NPT::rows_to(rows, "again").size() == 7);
+  const auto last_panel = [&](const NPT::StageStarts &of) {
+    return NPT::default_plots(rows, {}, of).back().stages;
+  };
+  CHECK(last_panel({}) == std::vector<std::string>{"shear", "again"});
+  CHECK(last_panel(starts) == std::vector<std::string>{"again"});
 }

@@ -236,3 +236,66 @@ TEST_CASE("Stages are so many, and their names so long, as files can be named",
       "', which has 101 characters; a name may have at most 100 (subsection "
       "Load programme).");
 }
+
+
+
+TEST_CASE("A stage begins at the end of the earlier one that it names",
+          "[solver]")
+{
+  using Catch::Contains;
+  const std::string list =
+    "set Stages = weave, release, pull, shear, again, tension\n" +
+    stage("pull", "set Targets = n1: 0.1");
+  const auto stages = read(list + stage("shear", "set Start = pull") +
+                           stage("again", "set Targets = H3: 0") +
+                           stage("tension", "set Start = release"))
+                        .stages;
+  CHECK_FALSE(stage_before(stages, 0));
+  CHECK(*stage_before(stages, 3) == 2);
+  CHECK(*stage_before(stages, 4) == 3);
+  CHECK(path_to(stages, 4) == std::vector<unsigned int>{0, 1, 2, 3, 4});
+  CHECK(path_to(stages, 5) == std::vector<unsigned int>{0, 1, 5});
+
+  const std::string again = stage("again", "set Targets = H3: 0");
+  CHECK_THAT(
+    input_error(list + again + stage("shear", "set Start = pul")),
+    Contains("Start is 'pul', which is no stage before shear in Stages; those "
+             "are weave, release, pull; did you mean 'pull'?") &&
+      Contains("Stage shear"));
+  CHECK_THAT(input_error(list + again + stage("shear", "set Start = tension")),
+             Contains("no stage before shear"));
+  CHECK_THAT(input_error("set Stages = shear\n" +
+                         stage("shear", "set Start = shear")),
+             Contains("first stage has none before it"));
+  // The order counts on the way to a stage.
+  CHECK_THAT(input_error(list + again + stage("shear", "set Start = weave")),
+             Contains("shear loads before the weave"));
+  CHECK(input_error("set Stages = weave, release, shear, rest, tension\n" +
+                    stage("rest",
+                          "set Type = relax\nset Relaxed fraction = 1\n"
+                          "set Start = release")) == "none");
+}
+
+
+
+TEST_CASE("Tests that begin at one stage know nothing of each other",
+          "[solver]")
+{
+  const auto read_test = [](const std::string &start) {
+    return PlateTestParameters::read(
+      make_parameter_text("subsection Load programme\n"
+                          "set Stages = weave, release, bend, turn, shear\n" +
+                            stage("bend", "set Targets = H4: 0.01") +
+                            stage("turn", "set Targets = H5: 0.01" + start) +
+                            stage("shear", "set Targets = H3: 0.3" + start) +
+                            "end\n",
+                          "file.prm"));
+  };
+  // One after the other they would bend about two axes.
+  CHECK_FALSE(read_test("").load_programme.stages[2].bends_along);
+  const auto stages = read_test("\nset Start = release").load_programme.stages;
+  REQUIRE(stages[2].bends_along);
+  REQUIRE(stages[3].bends_along);
+  CHECK(std::abs(*stages[2].bends_along * *stages[3].bends_along) < 1e-12);
+  CHECK_FALSE(stages[4].bends_along);
+}

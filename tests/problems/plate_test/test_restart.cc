@@ -561,3 +561,122 @@ TEST_CASE("A checkpoint of another test is refused by the entry",
   fs::resize_file(folder / "checkpoint.bin", 1000);
   CHECK_THAT(refusal({}), Contains("cut short"));
 }
+
+
+
+namespace
+{
+  // Two tests of the released cell, the second after the first.
+  std::vector<std::string>
+  two_tests(const std::string &stages)
+  {
+    std::vector<std::string> all = {
+      "Cell/Type=two-crossing cell",
+      "Cell/Side contact=off",
+      "Load programme/Stages=" + stages,
+      "Load programme/Stage pull/Targets=n1: 0.5, n2: 0.2",
+      "Load programme/Stage pull/Initial step=0.5",
+      "Load programme/Stage pull/Maximum step=0.5",
+      "Load programme/Stage bend/Targets=H4: 0.01",
+      "Load programme/Stage bend/Initial step=0.5",
+      "Load programme/Stage bend/Maximum step=0.5"};
+    const std::string later = stages + ",";
+    if (later.find("shear,") != std::string::npos)
+      for (const std::string name : {"pull", "bend"})
+        all.push_back("Load programme/Stage " + name + "/Start=release");
+    return all;
+  }
+
+  // All but the number of the step.
+  void
+  check_same_stage(const std::vector<CurveRow> &a,
+                   const std::vector<CurveRow> &b,
+                   const std::string           &stage)
+  {
+    const auto of_stage = [&](const std::vector<CurveRow> &rows) {
+      std::vector<CurveRow> result;
+      for (const CurveRow &row : rows)
+        if (row.stage == stage)
+          result.push_back(row);
+      return result;
+    };
+    const auto first = of_stage(a), second = of_stage(b);
+    REQUIRE(first.size() == second.size());
+    REQUIRE(!first.empty());
+    for (unsigned int i = 0; i < first.size(); ++i)
+      for (const std::string &column : curve_columns())
+        if (column != "stage" && column != "step" && column != "cpu_seconds")
+          {
+            INFO(stage << ", row " << i << ", " << column);
+            CHECK(same_bits(curve_value(first[i], column),
+                            curve_value(second[i], column)));
+          }
+  }
+
+  std::vector<CurveRow>
+  curve_in(const fs::path &folder)
+  {
+    return read_curves((folder / "curves.csv").string());
+  }
+} // namespace
+
+
+
+TEST_CASE("A test that begins at an earlier stage is the one that no other "
+          "precedes, to the last bit",
+          "[plate_test]")
+{
+  for (const std::string &method : methods)
+    {
+      INFO(method);
+      const auto     small   = small_cell(method, "penalty");
+      const fs::path several = empty_folder("several"),
+                     pull = empty_folder("pull"), bend = empty_folder("bend");
+      REQUIRE(run_in(several,
+                     read(small,
+                          two_tests("weave, release, shear, back, pull, bend")),
+                     false));
+      REQUIRE(
+        run_in(pull, read(small, two_tests("weave, release, pull")), false));
+      REQUIRE(
+        run_in(bend, read(small, two_tests("weave, release, bend")), false));
+      check_same_stage(curve_in(several), curve_in(pull), "pull");
+      check_same_stage(curve_in(several), curve_in(bend), "bend");
+    }
+}
+
+
+
+TEST_CASE("So is one that is stopped in a later test, and a test that is added "
+          "to a run that is done",
+          "[plate_test]")
+{
+  const auto small = small_cell("KTS", "penalty");
+  check_stopped_run(
+    read(small, two_tests("weave, release, shear, pull, bend")));
+
+  const auto added = [&](const std::vector<std::string> &more) {
+    return read(merged(small, two_tests("weave, release, shear, pull")), more);
+  };
+  const fs::path straight = empty_folder("straight"),
+                 extended = empty_folder("extended");
+  REQUIRE(run_in(straight, added({}), false));
+  REQUIRE(run_in(extended,
+                 read(small,
+                      {"Cell/Type=two-crossing cell",
+                       "Cell/Side contact=off",
+                       "Load programme/Stages=weave, release, shear"}),
+                 false));
+  const auto checkpoint = read_checkpoint(extended.string(), added({}), {});
+  REQUIRE(checkpoint);
+  REQUIRE(run_in(extended, added({}), false, checkpoint));
+  check_same_curves(straight, extended);
+  // The run had no reason to keep other ends.
+  CHECK_THROWS_WITH(
+    read_checkpoint(extended.string(),
+                    read(merged(small,
+                                two_tests("weave, release, shear, pull, bend")),
+                         {"Load programme/Stage bend/Start=shear"}),
+                    {}),
+    Contains("has not kept the end of stage shear, where stage bend begins"));
+}

@@ -36,6 +36,10 @@ namespace NPT
     std::string name;
     Type        type = Type::load;
 
+    /// Name of the earlier stage at whose end this one begins, so that several
+    /// stages are independent tests of one woven cell; empty: the stage before.
+    std::string start;
+
     /// Mode (row of MacroModes::table) -> its gradient H at the end of the
     /// stage. Modes in neither map keep what is prescribed for them.
     std::map<unsigned int, double> H_targets;
@@ -111,6 +115,16 @@ namespace NPT
   const EnumNames<LoadStage::Type> &
   enum_names<LoadStage::Type>();
 
+  /// Number of the stage at whose end a stage begins; nothing for the first.
+  /// Requires that all entries Start have been checked.
+  std::optional<unsigned int>
+  stage_before(const std::vector<LoadStage> &stages, const unsigned int index);
+
+  /// Numbers of the stages that lead from the undeformed cell to the end of a
+  /// stage, that one included, in their order.
+  std::vector<unsigned int>
+  path_to(const std::vector<LoadStage> &stages, const unsigned int index);
+
   /**
    * Subsection "Load programme". The stages are named by the user, so their
    * names have to be known before their entries can be declared.
@@ -130,8 +144,9 @@ namespace NPT
 
     /**
      * Complete the stages. Throws InputError if they make no programme: names
-     * twice, an order other than weave, release, load, a load stage without
-     * target, steps that contradict each other.
+     * twice, a Start that is no earlier stage, an order other than weave,
+     * release, load on the way to a stage, a load stage without target, steps
+     * that contradict each other.
      */
     void
     check();
@@ -141,6 +156,11 @@ namespace NPT
     /// same.
     std::string
     file_name(const std::string &stage) const;
+
+    /// Stages that do not begin at the end of the one before them, with the
+    /// name of that at whose end they do.
+    std::map<std::string, std::string>
+    branches() const;
 
   private:
     std::string names_; ///< as the file writes them

@@ -8,6 +8,7 @@
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/problems/parameter_study/parameter_loops.h>
 #include <npt_dealii/problems/parameter_study/sweep.h>
+#include <npt_dealii/problems/plate_results/stage_starts.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -30,7 +31,8 @@ namespace NPT
     {
       sweep,          ///< the curves of all cases
       work_precision, ///< error against CPU time
-      stability_map   ///< success, iterations and cuts over two entries
+      stability_map,  ///< success, iterations and cuts over two entries
+      sensitivity     ///< which inputs matter over their ranges
     };
 
     Kind        kind = Kind::sweep;
@@ -48,9 +50,14 @@ namespace NPT
     std::vector<std::string> series          = {"automatic"};
     std::vector<double>      accuracies      = {0.1, 0.01, 0.001};
     unsigned int             mean_iterations = 0;
+    unsigned int             rows            = 64; ///< of the design
+    std::vector<double>      at; ///< abscissas of a sensitivity study
 
     /// Entry Base and the plate test's entries, with their loops.
     std::unique_ptr<ParameterLoops> loops;
+
+    /// Names of the inputs of a sensitivity study.
+    std::vector<std::string> inputs;
 
     /// All cases in the order of the loops, and what of each is needed later.
     struct Details
@@ -58,6 +65,7 @@ namespace NPT
       unsigned int group = 0;     ///< number of the base file
       std::string  last_stage;    ///< whose end is success
       unsigned int component = 0; ///< mode, driven in the last stage
+      StageStarts  starts;
     };
     std::vector<SweepCase> cases;
     std::vector<Details>   details;
@@ -99,6 +107,14 @@ namespace NPT
 
     void
     read_base_files(Texts &texts);
+
+    /// The plate test's entries with loops, in which ranges are sampled.
+    ParameterText
+    sample_ranges(const Texts &texts, std::vector<std::string> &paths) const;
+
+    /// As in tables: the name of the loop, numbered where it has several.
+    void
+    name_inputs(const std::vector<std::string> &paths);
 
     void
     check_swept_entries() const;

@@ -5,7 +5,7 @@
 #ifndef npt_dealii_problems_parameter_study_work_precision_h
 #define npt_dealii_problems_parameter_study_work_precision_h
 
-#include <npt_dealii/problems/plate_results/curve_writer.h>
+#include <npt_dealii/problems/plate_results/stage_starts.h>
 
 #include <string>
 #include <vector>
@@ -22,7 +22,9 @@ namespace NPT
   /// last row of the stage before, or the undeformed state. Empty if the stage
   /// has no accepted step.
   std::vector<CurveRow>
-  stage_rows(const std::vector<CurveRow> &rows, const std::string &stage);
+  stage_rows(const std::vector<CurveRow> &rows,
+             const std::string           &stage,
+             const StageStarts           &starts = {});
 
   /**
    * Take one stage of a run as a curve, beginning with the state before the
@@ -35,7 +37,8 @@ namespace NPT
   stage_curve(const std::vector<CurveRow> &rows,
               const std::string           &stage,
               const std::string           &x_column,
-              const std::string           &y_column);
+              const std::string           &y_column,
+              const StageStarts           &starts = {});
 
   /// Distance of a curve from a reference.
   struct CurveError

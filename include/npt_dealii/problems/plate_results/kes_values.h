@@ -5,7 +5,7 @@
 #ifndef npt_dealii_problems_plate_results_kes_values_h
 #define npt_dealii_problems_plate_results_kes_values_h
 
-#include <npt_dealii/problems/plate_results/curve_writer.h>
+#include <npt_dealii/problems/plate_results/stage_starts.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -130,7 +130,8 @@ namespace NPT
    */
   std::vector<KesValue>
   kes_values(const std::vector<CurveRow> &curve,
-             const KesParameters         &parameters);
+             const KesParameters         &parameters,
+             const StageStarts           &starts = {});
 
   /// One sentence for the log: "KES: B = ...".
   std::string

@@ -5,7 +5,7 @@
 #ifndef npt_dealii_problems_plate_results_plots_h
 #define npt_dealii_problems_plate_results_plots_h
 
-#include <npt_dealii/problems/plate_results/curve_writer.h>
+#include <npt_dealii/problems/plate_results/stage_starts.h>
 
 #include <map>
 #include <string>
@@ -51,17 +51,18 @@ namespace NPT
   column_label(const std::string &column);
 
   /**
-   * Choose two panels per stage (stages in a row that drive the same component
-   * share theirs, so that a cycle shows as a loop): the driving component
-   * against its conjugate, and what happens meanwhile: sticking and sliding
-   * contact points with the dissipation, or without contact the normal
+   * Choose two panels per stage (stages that follow each other and drive the
+   * same component share theirs, so that a cycle shows as a loop): the driving
+   * component against its conjugate, and what happens meanwhile: sticking and
+   * sliding contact points with the dissipation, or without contact the normal
    * resultants of the extensions. A stage in which no H changes is drawn over
    * its load factor. Stages with fewer than two rows are left out. Those with
    * axes of their own have these.
    */
   std::vector<PlotSpec>
   default_plots(const std::vector<CurveRow> &rows,
-                const AxesOfStages          &axes = {});
+                const AxesOfStages          &axes   = {},
+                const StageStarts           &starts = {});
 
   /**
    * Write a gnuplot script that reads @p curve_file and writes
@@ -81,7 +82,9 @@ namespace NPT
    * @return false, and no file, if no stage has two load steps.
    */
   bool
-  write_curves_script(const std::string &folder, const AxesOfStages &axes = {});
+  write_curves_script(const std::string  &folder,
+                      const AxesOfStages &axes   = {},
+                      const StageStarts  &starts = {});
 } // namespace NPT
 
 #endif

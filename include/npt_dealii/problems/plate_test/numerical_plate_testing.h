@@ -17,6 +17,7 @@
 #include <deal.II/base/timer.h>
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -113,6 +114,12 @@ namespace NPT
     resume();
     void
     run_stage(const unsigned int index);
+    /// Go back to where the stage begins, if that is not the present state.
+    void
+    go_to_start(const unsigned int index);
+    /// Remember the end of a stage, if another one may begin there.
+    void
+    keep_end(const LoadStage &stage);
     /// The load steps of a stage, from a state on.
     void
     run_steps(const unsigned int          index,
@@ -161,6 +168,9 @@ namespace NPT
     State                         state_;
     std::vector<dealii::Point<3>> woven_;
     std::string                   not_elliptic_in_; // last stage
+
+    // Ends of stages where others begin, by name.
+    std::map<std::string, StageEnd> ends_;
 
     // What else a checkpoint needs: the stage with what it was made from, and
     // the last accepted step.

@@ -12,6 +12,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -21,6 +22,13 @@ namespace NPT
 {
   /// Name of the checkpoint in the folder of a plate test.
   inline const std::string checkpoint_name = "checkpoint.bin";
+
+  /// Where a stage has ended, for others that begin there.
+  struct StageEnd
+  {
+    State                         state;
+    std::vector<dealii::Point<3>> woven;
+  };
 
   /**
    * A plate test behind an accepted load step; a value. What it does not hold
@@ -41,6 +49,10 @@ namespace NPT
     std::vector<dealii::Point<3>> woven;       ///< behind that step
     std::string                   not_elliptic_in;
     double                        overlap_warned_of = 0; ///< [mm]
+
+    /// Ends of earlier stages, by name: of those that others name as their
+    /// Start, and of those that finish the fabric, for tests that are added.
+    std::map<std::string, StageEnd> ends;
 
     /// What decides the round-off of the next steps, of a run on one process:
     /// the pattern of the matrix and how it is factorized.

@@ -52,10 +52,11 @@ namespace NPT
   {
   public:
     /**
-     * @param index  Of the stage in the load programme; the stages before it
-     *   tell which components are controlled by resultants and whether friction
-     *   has begun.
-     * @param before The accepted state at the end of the stage before.
+     * @param index  Of the stage in the load programme; the stages that lead to
+     *   it tell which components are controlled by resultants and whether
+     *   friction has begun.
+     * @param before The accepted state at the end of the stage before, or of
+     *   that which the entry Start names.
      * @param woven  PlateCell::woven_positions(), empty until weaving ends.
      * @param system Receives couplings, cells and prescribed unknowns.
      * @param timer  Sections of the assembly, if given.
@@ -180,6 +181,7 @@ namespace NPT
     const PlateTestParameters &parameters_;
     const unsigned int         index_;
     const LoadStage           &stage_;
+    const LoadStage           *stage_before_; // none before the first
     const ConstrainedSystem   &system_;
     dealii::TimerOutput       *timer_;
     std::vector<unsigned int>  cell_groups_; // of the bundles in the system
