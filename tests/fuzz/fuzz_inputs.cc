@@ -135,7 +135,8 @@ namespace Fuzz
       {Kind::parameters, "parameter file"},
       {Kind::table, "table"},
       {Kind::material_table, "test data"},
-      {Kind::texgen, "TexGen"}};
+      {Kind::texgen, "TexGen"},
+      {Kind::data_sheet, "data sheet"}};
 
     class Fuzzer
     {
@@ -147,6 +148,8 @@ namespace Fuzz
         for (const Seed &seed : seeds_)
           if (seed.kind == Kind::parameters)
             texts_.push_back(seed.text);
+          else if (seed.kind == Kind::data_sheet)
+            sheets_.push_back(seed.text);
       }
 
       Case
@@ -154,27 +157,38 @@ namespace Fuzz
       {
         Dice              dice(options_.seed * 1000003u + number);
         const std::size_t chance = dice.below(100);
-        const Kind        kind   = chance < 80 ? Kind::parameters :
-                                   chance < 86 ? Kind::table :
-                                   chance < 91 ? Kind::material_table :
-                                                 Kind::texgen;
+        const Kind        kind   = chance < 74 ? Kind::parameters :
+                                   chance < 80 ? Kind::table :
+                                   chance < 85 ? Kind::material_table :
+                                   chance < 93 ? Kind::texgen :
+                                                 Kind::data_sheet;
         const Seed       *seed   = &dice.pick(seeds_);
         while (seed->kind != kind)
           seed = &dice.pick(seeds_);
-        if (kind == Kind::parameters && dice.one_of(8))
+        if ((kind == Kind::parameters || kind == Kind::data_sheet) &&
+            dice.one_of(8))
           return run_override(*seed, dice);
         return run_file(*seed, dice);
       }
 
     private:
-      // An entry of the documented file gets another value by --set.
+      // An entry gets another value by --set: one of the documented file, or
+      // one of a data sheet.
       Case
       run_override(const Seed &seed, Dice &dice)
       {
-        Case c{"--set", seed.folder, seed.name, {}, "", "", 0};
+        const bool is_sheet = seed.kind == Kind::data_sheet;
+        Case       c{is_sheet ? "data sheet: --set" : "--set",
+               seed.folder,
+               seed.name,
+               {},
+               "",
+               "",
+               0};
         std::vector<std::string> paths;
         std::string              path;
-        for (const std::string &line : lines_of(seed.shown))
+        for (const std::string &line :
+             lines_of(is_sheet ? seed.text : seed.shown))
           {
             const std::size_t start = line.find_first_not_of(' ');
             if (start == std::string::npos)
@@ -188,13 +202,14 @@ namespace Fuzz
               paths.push_back(path + word.substr(4, word.find('=') - 4));
           }
         bool              is_number = true;
-        const std::string value     = dice.one_of(3) ?
-                                        dice.pick(lines_of(dice.pick(texts_))) :
-                                        odd_number(dice, is_number);
-        c.arguments                 = {c.file,
-                                       "--validate",
-                                       "--set",
-                                       dice.pick(paths) + "=" + value};
+        const std::string value =
+          dice.one_of(3) ?
+            dice.pick(lines_of(dice.pick(is_sheet ? sheets_ : texts_))) :
+            odd_number(dice, is_number);
+        c.arguments = {c.file,
+                       is_sheet ? "--from-data-sheet" : "--validate",
+                       "--set",
+                       dice.pick(paths) + "=" + value};
         judge(c, run_program_in(c.folder, c.arguments), Expected::anything);
         return c;
       }
@@ -206,6 +221,8 @@ namespace Fuzz
                                 mutate_parameters(seed.text, texts_, dice) :
                               seed.kind == Kind::texgen ?
                                 mutate_texgen(seed.text, dice) :
+                              seed.kind == Kind::data_sheet ?
+                                mutate_sheet(seed.text, sheets_, dice) :
                                 mutate_table(seed.text, dice);
         Case         c{kind_names.at(seed.kind) + ": " + mutant.mutation,
                seed.folder,
@@ -230,7 +247,7 @@ namespace Fuzz
         if (mutant.expected == Expected::same && result.out != seed.shown &&
             seed.kind != Kind::texgen)
           c.answer = "other meaning, though the same";
-        else if (seed.kind == Kind::texgen ||
+        else if (seed.kind == Kind::texgen || seed.kind == Kind::data_sheet ||
                  (seed.kind == Kind::parameters && dice.one_of(3)))
           check_what_was_printed(c, seed.kind, result.out);
         return c;
@@ -243,7 +260,11 @@ namespace Fuzz
                              const std::string &printed)
       {
         std::ofstream(c.folder / "again.prm") << printed;
-        const RunResult again = show(Kind::parameters, c.folder, "again.prm");
+        // Of what follows from a data sheet all is checked.
+        const RunResult again =
+          kind == Kind::data_sheet ?
+            run_program_in(c.folder, {"again.prm", "--validate"}) :
+            show(Kind::parameters, c.folder, "again.prm");
         if (again.status != 0 ||
             (kind == Kind::parameters && again.out != printed))
           {
@@ -259,14 +280,14 @@ namespace Fuzz
         c.said        = result.err;
         c.cpu_seconds = result.cpu_seconds;
         // Some of what is accepted may be slow.
-        if (c.cpu_seconds > 10. &&
+        if (c.cpu_seconds > 0.5 * Limits().cpu_seconds &&
             (c.answer == "accepted" || c.answer == "refused"))
           c.answer = "slow";
       }
 
       const Options            options_;
       const std::vector<Seed>  seeds_;
-      std::vector<std::string> texts_;
+      std::vector<std::string> texts_, sheets_; ///< to take lines from
     };
 
     // ------------------------------------------------------------- results

@@ -94,7 +94,12 @@ namespace Fuzz
         dup2(err.file(), 2);
         set_limit(RLIMIT_CORE, 0);
         set_limit(RLIMIT_CPU, limits.cpu_seconds);
+#ifdef NPT_SANITIZED
+        // The shadow of the memory alone has terabytes of addresses.
+        static_cast<void>(memory);
+#else
         set_limit(RLIMIT_AS, memory);
+#endif
         alarm(limits.wall_seconds);
         const int status = action();
         std::cout.flush();

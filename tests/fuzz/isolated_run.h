@@ -13,9 +13,14 @@ namespace Fuzz
 {
   struct Limits
   {
-    unsigned int cpu_seconds    = 20;
-    unsigned int wall_seconds   = 120;
-    std::size_t  more_megabytes = 1000; ///< beyond what this process has
+#ifdef NPT_SANITIZED
+    unsigned int cpu_seconds  = 100;
+    unsigned int wall_seconds = 600;
+#else
+    unsigned int cpu_seconds  = 20;
+    unsigned int wall_seconds = 120;
+#endif
+    std::size_t more_megabytes = 1000; ///< beyond what this process has
   };
 
   struct RunResult

@@ -76,6 +76,12 @@ namespace Fuzz
   Mutant
   mutate_table(const std::string &text, Dice &dice);
 
+  /// A data sheet after one change; @p others as for parameter files.
+  Mutant
+  mutate_sheet(const std::string              &text,
+               const std::vector<std::string> &others,
+               Dice                           &dice);
+
   /// A weave of TexGen after one change.
   Mutant
   mutate_texgen(const std::string &text, Dice &dice);

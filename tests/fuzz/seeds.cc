@@ -4,7 +4,9 @@
 #include "seeds.h"
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/base/program.h>
+#include <npt_dealii/fabric_files/data_sheet.h>
 #include <npt_dealii/fabric_files/texgen.h>
 #include <npt_dealii/io/table_file.h>
 #include <npt_dealii/problems/identification/material_curve.h>
@@ -39,6 +41,13 @@ namespace Fuzz
         NPT::write_texgen(NPT::PlateTestParameters::read(text, overrides).cell,
                           "weave",
                           std::cout);
+      };
+      program.from_data_sheet = [](const std::string              &file,
+                                   const std::vector<std::string> &overrides) {
+        NPT::write_parameter_file(
+          NPT::DataSheet::read(NPT::read_parameter_text(file), overrides),
+          file,
+          std::cout);
       };
       return program;
     }
@@ -125,6 +134,18 @@ namespace Fuzz
         }
     }
 
+    std::vector<fs::path>
+    files_in(const fs::path &folder)
+    {
+      std::vector<fs::path> files;
+      for (const auto &entry : fs::directory_iterator(folder))
+        if (const std::string extension = entry.path().extension();
+            extension == ".csv" || extension == ".tg3" || extension == ".sheet")
+          files.push_back(entry.path());
+      std::sort(files.begin(), files.end());
+      return files;
+    }
+
     class SeedMaker
     {
     public:
@@ -141,6 +162,25 @@ namespace Fuzz
                                    " is not read as it stands: " + result.err);
         seeds_.push_back(
           {kind, folder, name, content_of(folder / name), result.out});
+      }
+
+      // What is made of a data sheet speaks of its name, so all have one.
+      void
+      add_sheet(const fs::path &folder, const std::string &name)
+      {
+        fs::copy_file(folder / name,
+                      folder / "mutant.sheet",
+                      fs::copy_options::overwrite_existing);
+        add(Kind::data_sheet, folder, "mutant.sheet");
+        seeds_.back().name = name;
+      }
+
+      void
+      add_sheets()
+      {
+        const fs::path folder = work_ / "prm" / "fabrics" / "sheets";
+        for (const fs::path &file : files_in(folder))
+          add_sheet(folder, file.filename());
       }
 
       // With all entries of its problem.
@@ -196,12 +236,15 @@ namespace Fuzz
           fs::copy_file(file,
                         folder / file.filename(),
                         fs::copy_options::overwrite_existing);
-        add(extension == ".tg3"                     ? Kind::texgen :
-            extension == ".prm"                     ? Kind::parameters :
-            file.filename() == "material_tests.csv" ? Kind::material_table :
-                                                      Kind::table,
-            folder,
-            file.filename());
+        if (extension == ".sheet")
+          add_sheet(folder, file.filename());
+        else
+          add(extension == ".tg3"                     ? Kind::texgen :
+              extension == ".prm"                     ? Kind::parameters :
+              file.filename() == "material_tests.csv" ? Kind::material_table :
+                                                        Kind::table,
+              folder,
+              file.filename());
       }
 
       std::vector<Seed> seeds_;
@@ -210,18 +253,6 @@ namespace Fuzz
       const fs::path        work_;
       std::vector<fs::path> write_later_;
     };
-
-    std::vector<fs::path>
-    files_in(const fs::path &folder)
-    {
-      std::vector<fs::path> files;
-      for (const auto &entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".csv" ||
-            entry.path().extension() == ".tg3")
-          files.push_back(entry.path());
-      std::sort(files.begin(), files.end());
-      return files;
-    }
   } // namespace
 
 
@@ -254,6 +285,8 @@ namespace Fuzz
       return run_program_in(folder, {name, "--print-defaults"});
     if (kind == Kind::texgen)
       return run_program_in(folder, {name, "--from-texgen"});
+    if (kind == Kind::data_sheet)
+      return run_program_in(folder, {name, "--from-data-sheet"});
     return run_isolated([&]() {
       if (chdir(folder.c_str()) != 0)
         return 3;
@@ -273,6 +306,7 @@ namespace Fuzz
     fs::copy(source / "prm", work / "prm", fs::copy_options::recursive);
     SeedMaker maker(work);
     maker.add_parameter_files();
+    maker.add_sheets();
     for (const std::string folder : {"tests/peers/curves", "tests/data/fuzz"})
       for (const fs::path &file : files_in(source / folder))
         maker.add_file(file);

@@ -17,7 +17,8 @@ namespace Fuzz
     parameters,
     table,          ///< any CSV file
     material_table, ///< test data of an identification
-    texgen
+    texgen,
+    data_sheet
   };
 
   struct Seed
@@ -34,13 +35,14 @@ namespace Fuzz
                  const std::vector<std::string> &arguments);
 
   /// Have a file read and shown: `--print-defaults` of a parameter file, the
-  /// columns of a table, the parameter file of a weave.
+  /// columns of a table, the parameter file of a weave or a data sheet.
   RunResult
   show(Kind kind, const std::filesystem::path &folder, const std::string &name);
 
   /**
-   * Copy the files of the project into @p work and read them: prm/, the curves
-   * and other data of the tests, and weaves that the program itself writes.
+   * Copy the files of the project into @p work and read them: prm/ with its
+   * data sheets, the curves and other data of the tests, and weaves that the
+   * program itself writes.
    *
    * @param more Further files, by their extension.
    *

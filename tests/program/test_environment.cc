@@ -220,7 +220,7 @@ TEST_CASE("Without /sys, /dev/shm and a /tmp to write the run is the same",
 
 
 // The address sanitizer takes terabytes of addresses.
-#ifndef __SANITIZE_ADDRESS__
+#ifndef NPT_SANITIZED
 TEST_CASE("What does not fit into the memory is refused before it is taken",
           "[program]")
 {

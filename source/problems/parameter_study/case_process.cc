@@ -108,12 +108,17 @@ namespace NPT
       setrlimit(RLIMIT_CORE, &no_core);
     }
 
+    // What no run lasts: thirty years. Limits beyond are as good as this one,
+    // and more than the counters of the system can take.
+    constexpr double longest_limit = 1e9;
+
     // Of a program, in whole seconds; it keeps nothing else over execve().
     void
     limit_cpu_time_of_program(const double seconds)
     {
       rlimit limit{};
-      limit.rlim_cur = static_cast<rlim_t>(std::ceil(seconds));
+      limit.rlim_cur =
+        static_cast<rlim_t>(std::ceil(std::min(seconds, longest_limit)));
       limit.rlim_max = limit.rlim_cur + 5;
       setrlimit(RLIMIT_CPU, &limit);
     }
@@ -121,9 +126,10 @@ namespace NPT
     // Of what this process computes from now on; 0: no limit. It is ended by
     // the signal that the system has for that, to which nobody here listens.
     void
-    limit_cpu_time_of_case(const double seconds)
+    limit_cpu_time_of_case(const double given)
     {
-      static const timer_t timer = []() {
+      const double         seconds = std::min(given, longest_limit);
+      static const timer_t timer   = []() {
         sigevent event{};
         event.sigev_notify = SIGEV_SIGNAL;
         event.sigev_signo  = SIGXCPU;

@@ -216,6 +216,11 @@ TEST_CASE("Contact benchmarks that cannot be built are refused with a sentence",
     "Thickness is 0.3 mm; a belt must be thinner than a fifth of the radius "
     "of the drum, 1 mm (subsections Benchmark and Lower body).");
   CHECK(
+    message_of({"Benchmark/Case=ironing", "Benchmark/Distance=1e300"}) ==
+    "Distance is 1e+300 mm, for which the slab would have 8e+302 elements along "
+    "it; it may have at most 100000, which suffice for 124.2 mm (subsections "
+    "Benchmark and Lower body).");
+  CHECK(
     message_of({"Benchmark/Case=block", "Friction/Friction coefficient=0"}) ==
     "Friction coefficient is 0; this case is about friction and needs a "
     "positive one (subsections Benchmark and Friction).");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A cylinder dragged along a slab.
 
+#include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/verification/contact/cases/hertz_bodies.h>
 #include <npt_dealii/verification/contact/contact_benchmark_parameters.h>
 #include <npt_dealii/verification/contact/contact_bodies.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace NPT
 {
@@ -52,6 +54,18 @@ namespace NPT
       return largest / mean;
     }
 
+    // Of the slab; more fit into no memory, and at 4e9 the count would begin
+    // anew.
+    constexpr double most_elements_along = 1e5;
+
+    double
+    n_elements_along(const ContactCaseParameters &p)
+    {
+      const double ends = 2. * p.body_size * p.half_width;
+      return std::round((p.distance + 2. * ends) /
+                        (p.half_width / p.lower.n_elements));
+    }
+
     /**
      * An elastic cylinder pressed into an elastic slab (plane strain) and
      * dragged along it over many elements at constant depth.
@@ -64,6 +78,17 @@ namespace NPT
       {
         const ContactCaseParameters &p = parameters.benchmark;
         check_body_size(p, p.upper, "Upper body");
+        const double n = n_elements_along(p);
+        if (n <= most_elements_along)
+          return;
+        std::ostringstream text;
+        text << "Distance is " << p.distance << " mm, for which the slab would "
+             << "have " << n << " elements along it; it may have at most "
+             << most_elements_along << ", which suffice for "
+             << most_elements_along * p.half_width / p.lower.n_elements -
+                  4. * p.body_size * p.half_width
+             << " mm (subsections Benchmark and Lower body).";
+        throw InputError(text.str());
       }
 
       bool
@@ -90,7 +115,7 @@ namespace NPT
                   mesh.depth));
         const double       ends = 2. * mesh.width;
         const double       h    = a / p.lower.n_elements;
-        const unsigned int n    = std::round((p.distance + 2. * ends) / h);
+        const unsigned int n    = n_elements_along(p);
         model.patches.push_back(
           segment(false,
                   Profile(flat, -ends, p.distance + ends),
