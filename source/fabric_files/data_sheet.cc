@@ -133,6 +133,9 @@ namespace NPT
               short_number(quantity.smallest / quantity.units.front().second) +
               " to " +
               short_number(quantity.largest / quantity.units.front().second));
+          // In a file 0.10357 inch are 2.630678 mm, not 2.6306779999999996.
+          if (*factor != 1.)
+            value = std::strtod(short_number(value, 12).c_str(), nullptr);
         }
       return {values.front(), values.back()};
     }
@@ -318,13 +321,13 @@ namespace NPT
                   shear_modulus_along,
                   "Of a bundle, along its fibers, G_L [MPa]. No data sheet has "
                   "it; the default is assumed.",
-                  positive_number());
+                  Patterns::Double(1e-3, 1e5));
     add_parameter(prm,
                   "Shear modulus across",
                   shear_modulus_across,
                   "Of a bundle, across its fibers, G_T [MPa]; it decides about "
                   "how easily a bundle is flattened, too. Assumed as well.",
-                  positive_number());
+                  Patterns::Double(1e-3, 1e5));
     add_parameter(prm,
                   "Friction coefficient",
                   friction,
@@ -334,7 +337,7 @@ namespace NPT
                   "Tension",
                   tension,
                   "n1 = n2 under which the fabric is sheared and bent [N/mm].",
-                  positive_number());
+                  Patterns::Double(1e-9, 1e6));
   }
 
 

@@ -562,13 +562,10 @@ namespace NPT
           }
         const double MPa_per_GPa = 1000.;
         const auto   of          = [&](const double v, const double E_f) {
-          FiberBundleConstants constants =
-            bundle_constants(v * E_f * MPa_per_GPa,
-                             sheet_.shear_modulus_along,
-                             sheet_.shear_modulus_across);
-          for (double *c : {&constants.lambda, &constants.a, &constants.c})
-            *c = five_digits(*c);
-          return constants;
+          const double E_L = v * E_f * MPa_per_GPa;
+          const double G_L = sheet_.shear_modulus_along;
+          return with_few_digits(
+            bundle_constants(E_L, G_L, sheet_.shear_modulus_across), E_L, G_L);
         };
         const WarpWeft &v = result_.fiber_fraction, &E = *sheet_.fiber_modulus;
         result_.material                = {of(v.warp, E.warp)};

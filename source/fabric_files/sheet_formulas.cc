@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The formulas of data sheets.
 
+#include <npt_dealii/base/short_number.h>
 #include <npt_dealii/fabric_files/sheet_formulas.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace NPT
 {
@@ -62,6 +65,29 @@ namespace NPT
     constants.c               = (E_L - lambda - 2. * G_T + 4. * constants.a +
                    lambda * lambda / (lambda + G_T)) /
                   8.;
+    return constants;
+  }
+
+
+
+  FiberBundleConstants
+  with_few_digits(FiberBundleConstants constants,
+                  const double         E_L,
+                  const double         G_L)
+  {
+    const auto shorten = [](double &constant, const double largest_change) {
+      const double exact = constant;
+      for (const unsigned int digits : {5u, 12u})
+        {
+          constant = std::strtod(short_number(exact, digits).c_str(), nullptr);
+          if (std::abs(constant - exact) <= largest_change)
+            break;
+        }
+    };
+    // Which moduli they enter, and by which factor at most.
+    shorten(constants.lambda, 1e-4 * E_L);
+    shorten(constants.a, 1e-4 * std::min(G_L, E_L / 4.));
+    shorten(constants.c, 1e-4 * E_L / 8.);
     return constants;
   }
 } // namespace NPT

@@ -100,6 +100,18 @@ TEST_CASE("Values of a data sheet may carry the units of their trade",
 
 
 
+TEST_CASE("A value with a unit is the number that is written in the unit of "
+          "the program",
+          "[data_sheet]")
+{
+  CHECK(read_sheet({"Bundle width=0.10357 inch"}).bundle_width->warp ==
+        2.630678);
+  CHECK(read_sheet({"Bundle thickness=191 um"}).bundle_thickness->weft ==
+        0.191);
+}
+
+
+
 TEST_CASE("A value that is no number with a known unit is refused with the "
           "units",
           "[data_sheet]")
@@ -182,6 +194,19 @@ TEST_CASE("The crimp of a wave is the length of its sine line", "[data_sheet]")
 TEST_CASE("The constants of a bundle have the moduli that were asked for",
           "[data_sheet]")
 {
+  // In the file, too: over the ranges of the entries.
+  for (const double E_L : {1., 1e6})
+    for (const double G_L : {1e-3, 1e5})
+      for (const double G_T : {1e-3, 1e5})
+        {
+          const auto written =
+            with_few_digits(bundle_constants(E_L, G_L, G_T), E_L, G_L)
+              .engineering_constants();
+          INFO(E_L << ' ' << G_L << ' ' << G_T);
+          CHECK(written.E_L == Approx(E_L).epsilon(3e-4));
+          CHECK(written.G_L == Approx(G_L).epsilon(3e-4));
+          CHECK(written.G_T == Approx(G_T).epsilon(1e-12));
+        }
   const auto moduli = bundle_constants(40e3, 10., 5.).engineering_constants();
   CHECK(moduli.E_L == Approx(40e3).epsilon(1e-10));
   CHECK(moduli.G_L == Approx(10.).epsilon(1e-12));

@@ -206,11 +206,14 @@ namespace Fuzz
           dice.one_of(3) ?
             dice.pick(lines_of(dice.pick(is_sheet ? sheets_ : texts_))) :
             odd_number(dice, is_number);
-        c.arguments = {c.file,
+        c.arguments            = {c.file,
                        is_sheet ? "--from-data-sheet" : "--validate",
-                       "--set",
-                       dice.pick(paths) + "=" + value};
-        judge(c, run_program_in(c.folder, c.arguments), Expected::anything);
+                                  "--set",
+                                  dice.pick(paths) + "=" + value};
+        const RunResult result = run_program_in(c.folder, c.arguments);
+        judge(c, result, Expected::anything);
+        if (is_sheet && c.answer == "accepted")
+          check_what_was_printed(c, seed.kind, result.out);
         return c;
       }
 

@@ -46,6 +46,19 @@ namespace NPT
   FiberBundleConstants
   bundle_constants(const double E_L, const double G_L, const double G_T);
 
+  /**
+   * The constants of (A42) as a file shows them: with five digits each, or with
+   * twelve where five would change a modulus by more than a part in 1e4, since
+   * G_L = mu - a and E_L are small differences of large constants if the moduli
+   * lie far apart.
+   *
+   * @param E_L, G_L The moduli that the constants were made for [MPa].
+   */
+  FiberBundleConstants
+  with_few_digits(FiberBundleConstants constants,
+                  const double         E_L,
+                  const double         G_L);
+
   /// Where an increasing function has the target, between low and high, to
   /// round-off; the nearer end if it is nowhere there.
   double

@@ -6,14 +6,17 @@
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_file.h>
 #include <npt_dealii/fabric/cell_parameters.h>
+#include <npt_dealii/fabric_files/data_sheet.h>
 #include <npt_dealii/fabric_files/texgen.h>
 #include <npt_dealii/io/table_file.h>
+#include <npt_dealii/problems/identification/material_curve.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
@@ -85,6 +88,27 @@ namespace
     NPT::write_parameter_file(NPT::read_texgen(file.name()), "weave.tg3", out);
     read_parameters(out.str().substr(0, out.str().find("subsection Load")));
   }
+
+  void
+  read_curves(const std::string &content)
+  {
+    NPT::read_material_curves(MemoryFile(content).name());
+  }
+
+  void
+  read_sheet(const std::string &content)
+  {
+    std::ostringstream out;
+    NPT::write_parameter_file(
+      NPT::DataSheet::read(NPT::make_parameter_text(content, "file.sheet")),
+      "file.sheet",
+      out);
+    // Cell and mesh, which stand first.
+    const std::string text = out.str();
+    read_parameters(text.substr(0,
+                                std::min(text.find("subsection Fiber"),
+                                         text.find("subsection Contact"))));
+  }
 } // namespace
 
 extern "C" int
@@ -95,7 +119,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
   const std::string content(reinterpret_cast<const char *>(data + 1), size - 1);
   try
     {
-      switch (data[0] % 3)
+      switch (data[0] % 5)
         {
           case 0:
             read_parameters(content);
@@ -103,8 +127,14 @@ LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
           case 1:
             read_columns(content);
             break;
-          default:
+          case 2:
             read_weave(content);
+            break;
+          case 3:
+            read_curves(content);
+            break;
+          default:
+            read_sheet(content);
         }
     }
   catch (const NPT::InputError &)

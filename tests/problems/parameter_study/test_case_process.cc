@@ -150,6 +150,18 @@ TEST_CASE("A copy begins as a program started anew and leaves nothing behind",
 
 
 
+TEST_CASE("A limit that no run can reach is as good as none", "[study]")
+{
+  SweepOptions options = copies_in(TopTests::fresh_folder("copies_no_limit"));
+  options.cpu_limit    = 1e300;
+  auto               cases = study_cases({"work"});
+  std::ostringstream log;
+  run_cases(cases, options, log);
+  CHECK(cases[0].result.status == "done");
+}
+
+
+
 TEST_CASE("A copy computes case after case; what one leaves behind is not the "
           "next one's",
           "[study]")
