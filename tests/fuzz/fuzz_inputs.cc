@@ -112,7 +112,7 @@ namespace Fuzz
                                                "accepted";
       if (result.status != 2)
         return "status that is not documented";
-      const std::string fault = fault_of_sentence(result.err);
+      std::string fault = fault_of_sentence(result.err);
       if (!fault.empty())
         return fault;
       return expected == Expected::same ? "refused, though the same" :
