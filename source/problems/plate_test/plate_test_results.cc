@@ -18,6 +18,7 @@
 #include <npt_dealii/problems/plate_test/curvature_range.h>
 #include <npt_dealii/problems/plate_test/plate_step.h>
 #include <npt_dealii/problems/plate_test/plate_test_results.h>
+#include <npt_dealii/problems/plate_test/shear_range.h>
 #include <npt_dealii/solid/solid_fields.h>
 
 #include <deal.II/base/utilities.h>
@@ -120,8 +121,10 @@ namespace NPT
     if (!parameters_.reason_for_side_contact.empty())
       log_.line("Side contact is on, because " +
                 parameters_.reason_for_side_contact + ".");
-    for (const std::string &doubt : doubts_of_curvature(parameters_))
-      log_.warning(doubt);
+    for (const auto &doubts :
+         {doubts_of_curvature(parameters_), doubts_of_shear(parameters_)})
+      for (const std::string &doubt : doubts)
+        log_.warning(doubt);
   }
 
 

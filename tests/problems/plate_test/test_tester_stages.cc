@@ -6,6 +6,7 @@
 #include <npt_dealii/homogenization/yarn_frame.h>
 #include <npt_dealii/problems/plate_test/curvature_range.h>
 #include <npt_dealii/problems/plate_test/numerical_plate_testing.h>
+#include <npt_dealii/problems/plate_test/shear_range.h>
 
 #include <catch2/catch.hpp>
 
@@ -429,6 +430,45 @@ TEST_CASE(
      "Load programme/Stage bend/Targets=H4: 0.02, H5: 0.015"}));
   REQUIRE(of_weft.size() == 1);
   CHECK_THAT(of_weft[0], Catch::Contains("bends by H5"));
+}
+
+
+
+TEST_CASE(
+  "Of a sub-unit cell shear is doubted where bundles touch beyond half a "
+  "spacing",
+  "[top]")
+{
+  CellParameters cell;
+  cell.crossing_spacing = WarpWeft{6., 5.};
+  cell.bundle_width     = WarpWeft{4., 3.};
+  const double angle    = shear_angle_of_sub_unit_cell(cell);
+  // The corner of the rhombus of two bands, along each: that of the first is
+  // where the cell ends.
+  const auto corner = [&](const double width, const double other_width) {
+    return 0.5 * (other_width / std::cos(angle) + width * std::tan(angle));
+  };
+  CHECK(corner(4., 3.) == Approx(0.5 * 5.).epsilon(1e-12));
+  CHECK(corner(3., 4.) < 0.5 * 6.);
+  cell.bundle_width = WarpWeft{5., 5.};
+  CHECK(shear_angle_of_sub_unit_cell(cell) == 0.);
+
+  const auto doubts = [](const std::string &type, const std::string &target) {
+    return doubts_of_shear(PlateTestParameters::read(
+      make_parameter_text("", "shear.prm"),
+      {"Cell/Type=" + type,
+       "Load programme/Stages=weave, release, shear",
+       "Load programme/Stage shear/Targets=H3: " + target}));
+  };
+  // Bundles of 4 mm every 5 mm: 12.7 degrees.
+  CHECK(doubts("sub-unit cell", "0.2").empty());
+  CHECK(doubts("two-crossing cell", "-0.4").empty());
+  const auto of_much_shear = doubts("sub-unit cell", "-0.4");
+  REQUIRE(of_much_shear.size() == 1);
+  CHECK_THAT(of_much_shear[0],
+             Catch::Contains("Stage shear shears by 23.1 degrees; beyond 12.7 "
+                             "degrees") &&
+               Catch::Contains("Type = two-crossing cell"));
 }
 
 
