@@ -43,13 +43,14 @@ main(int argc, char **argv)
   void *const entry   = program == nullptr ? nullptr : dlsym(program, "main");
   if (entry == nullptr)
     {
+      // As the system says it of libraries that it loads, with its status.
       std::fprintf(stderr,
-                   "%s: the program cannot be loaded: %s. Keep this file and "
-                   "%s in one folder.\n",
+                   "%s: error while loading shared libraries: %s. Keep this "
+                   "file and %s in one folder.\n",
                    argv[0],
                    dlerror(),
                    program_library);
-      return 3;
+      return 127;
     }
   return reinterpret_cast<int (*)(int, char **)>(entry)(argc, argv);
 }
