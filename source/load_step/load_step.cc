@@ -216,8 +216,11 @@ namespace NPT
     report.final_residual = report.newton.residual_norms.back();
 
     AugmentedLagrangian augmentation(parameters);
-    while (const auto growth = augmentation.next_growth(violation()))
+    while (parameters.augmented())
       {
+        const auto growth = augmentation.next_growth(violation());
+        if (!growth)
+          break;
         for (unsigned int k = 0; k < trial_.contact.size(); ++k)
           problem_.contacts()[k]->augment(increment_.contact[k],
                                           trial_.contact[k],
