@@ -621,7 +621,9 @@ namespace NPT
                                            ContactEvaluation<dim> &) const; \
   template void ContactPair<dim>::augment(ContactStep<dim> &,               \
                                           const ContactEvaluation<dim> &,   \
-                                          const double) const;
+                                          const double) const;              \
+  template std::vector<double> ContactPair<dim>::slip_path_after(           \
+    const ContactStep<dim> &, const ContactEvaluation<dim> &) const;
   NPT_INSTANTIATE(2)
   NPT_INSTANTIATE(3)
 #undef NPT_INSTANTIATE

@@ -2,10 +2,10 @@
 // Defines the search for the lowest eigenvalue of the acoustic tensor.
 
 #include <npt_dealii/material/ellipticity.h>
+#include <npt_dealii/material/symmetric_eigenvectors.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
-#include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
 #include <array>
@@ -180,7 +180,7 @@ namespace NPT
     struct EigenSystem
     {
       explicit EigenSystem(const dealii::SymmetricTensor<2, dim> &T)
-        : pairs(dealii::eigenvectors(
+        : pairs(symmetric_eigenvectors(
             T,
             dealii::SymmetricTensorEigenvectorMethod::hybrid))
       {}

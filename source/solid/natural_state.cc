@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Relaxation of stress, and cells that deform from a natural state.
 
+#include <npt_dealii/material/symmetric_eigenvectors.h>
 #include <npt_dealii/solid/natural_state.h>
-
-#include <deal.II/base/symmetric_tensor.h>
 
 #include <cmath>
 
@@ -40,8 +39,8 @@ namespace NPT
     if (fraction == 0.)
       return inverse;
     const auto eigenpairs =
-      eigenvectors(symmetrize(transpose(F_e) * F_e),
-                   dealii::SymmetricTensorEigenvectorMethod::jacobi);
+      symmetric_eigenvectors(symmetrize(transpose(F_e) * F_e),
+                             dealii::SymmetricTensorEigenvectorMethod::jacobi);
     Tensor<2, 3> stretch, its_inverse; // U_e^phi
     for (const auto &[square, n] : eigenpairs)
       {

@@ -65,7 +65,7 @@ namespace NPT
     const Column weft("weft_stretch", {"-", value<&TesterTerms::weft_stretch>});
     const Column torque("shear_torque",
                         {"N/mm", value<&TesterTerms::shear_torque>});
-    const Column force("frame_force",
+    const Column frame("frame_force",
                        {"N/mm", value<&TesterTerms::frame_force>});
     const Column warp_tension("warp_tension",
                               {"N/mm", value<&TesterTerms::warp_tension>});

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-  const fs::path folder = NPT_SOURCE_DIR "/prm/verification";
+  const fs::path parameter_files = NPT_SOURCE_DIR "/prm/verification";
 
   struct SmallRun
   {
@@ -67,7 +67,7 @@ namespace
     std::ostringstream screen;
     SolidBenchmark     benchmark(
       SolidBenchmarkParameters::read(
-        read_parameter_text(folder / (run.name + ".prm")), overrides),
+        read_parameter_text(parameter_files / (run.name + ".prm")), overrides),
       "",
       screen);
     try
@@ -103,7 +103,7 @@ TEST_CASE("Every file on solids names its tolerances and is run above",
           "[verification]")
 {
   unsigned int n_files = 0;
-  for (const auto &entry : fs::directory_iterator(folder))
+  for (const auto &entry : fs::directory_iterator(parameter_files))
     {
       const std::string stem = entry.path().stem().string();
       if (stem.compare(0, 8, "contact_") == 0)
