@@ -19,6 +19,13 @@ extern "C"
     return "print_stacktrace=1";
   }
 
+  // Tests compare what programs say on standard error.
+  const char *
+  __lsan_default_options()
+  {
+    return "print_suppressions=0";
+  }
+
   // What libraries keep until the process ends, by the names of the libraries.
   const char *
   __lsan_default_suppressions()

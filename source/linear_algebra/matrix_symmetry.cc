@@ -20,6 +20,8 @@ namespace NPT
     for_each_transposed(const CSRMatrix &A, const Visitor &visit)
     {
       const int n = A.n();
+      if (n == 0)
+        return true; // a matrix without a pattern has no row_start either
       // Entries right of the diagonal that were not met yet.
       std::vector<int> next(n);
       for (int i = 0; i < n; ++i)
