@@ -5,6 +5,7 @@
 #define npt_dealii_tests_run_program_h
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -35,6 +36,20 @@ namespace TopTests
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     return folder;
+  }
+
+
+
+  /// What the environment says to OpenBLAS ("OPENBLAS_CORETYPE=Haswell"). Its
+  /// kernels, and so the last bits of a result, follow from that.
+  inline std::vector<std::string>
+  settings_of_openblas()
+  {
+    std::vector<std::string> settings;
+    for (char **variable = environ; *variable != nullptr; ++variable)
+      if (std::string(*variable).rfind("OPENBLAS_", 0) == 0)
+        settings.emplace_back(*variable);
+    return settings;
   }
 
 

@@ -42,6 +42,7 @@ extern "C"
            "leak:libpciaccess\n"
            "leak:mca_\n"
            "leak:libmumps_common\n"       // names of files with factors
+           "leak:argz_add_sep\n"          // folders of the C library's LOCPATH
            "leak:__vasprintf_internal\n"; // of Open MPI; nobody here calls it
   }
 

@@ -236,21 +236,22 @@ TEST_CASE("Cases that copies of a study compute are those of a program started "
   INFO(copies.out + copies.err);
   REQUIRE(copies.status == 0);
   // mpirun has MPI initialized, which no copy can use.
-  const ProgramResult anew =
-    run_program(work,
-                {"-i",
-                 "PATH=" + std::string(std::getenv("PATH")),
-                 "HOME=" + work.string(),
-                 "OMPI_ALLOW_RUN_AS_ROOT=1",
-                 "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
-                 "mpirun",
-                 "-n",
-                 "1",
-                 NPT_PROGRAM,
-                 "study.prm",
-                 "--output",
-                 "anew"},
-                "env");
+  std::vector<std::string> arguments = settings_of_openblas();
+  arguments.insert(arguments.begin(), "-i");
+  for (const std::string &argument :
+       {"PATH=" + std::string(std::getenv("PATH")),
+        "HOME=" + work.string(),
+        std::string("OMPI_ALLOW_RUN_AS_ROOT=1"),
+        std::string("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"),
+        std::string("mpirun"),
+        std::string("-n"),
+        std::string("1"),
+        std::string(NPT_PROGRAM),
+        std::string("study.prm"),
+        std::string("--output"),
+        std::string("anew")})
+    arguments.push_back(argument);
+  const ProgramResult anew = run_program(work, arguments, "env");
   INFO(anew.out + anew.err);
   REQUIRE(anew.status == 0);
   for (const std::string name : {"0001", "0002"})
