@@ -234,6 +234,53 @@ TEST_CASE("A condition of 1e9 asks for double precision, which is remembered "
   CHECK(is_single(not_told));
 }
 
+TEST_CASE("Factors that serve no solution are replaced by those of double "
+          "precision",
+          "[solver]")
+{
+  CSRMatrix            A = make_elastic_block({{6, 6, 2}}, 1, 1.).matrix;
+  const Vector<double> b = load(A.n());
+  LinearSolver         single(with_factors("single"));
+  single.factorize(A);
+  CHECK(is_single(single));
+  // As bad as can be: those of another matrix.
+  for (unsigned int i = 0; i < A.n(); ++i)
+    A.values[A.position(i, i)] *= 1. + i * i;
+  Vector<double> x;
+  single.solve(b, x);
+  CHECK_THAT(single.description(),
+             Catch::Contains("double precision, as a solution did not reach"));
+  CHECK(single.n_numeric() == 2);
+  CHECK(single.n_iterations() >= 30);
+  CHECK(single.memory().needs_double);
+
+  LinearSolver         full(with_factors("double"));
+  const Vector<double> expected = solution(full, A, b);
+  CHECK(x == expected);
+  single.solve(b, x);
+  CHECK(x == expected);
+  CHECK(single.n_numeric() == 2);
+}
+
+TEST_CASE("A unit beyond the range of single precision asks for double "
+          "precision",
+          "[solver]")
+{
+  // One unknown apart from the others.
+  CSRMatrix A = make_elastic_block({{3, 3, 2}}, 1, 1.).matrix;
+  for (int i = 0; i < static_cast<int>(A.n()); ++i)
+    for (const int k : {A.position(i, 7), A.position(7, i)})
+      if (k >= 0)
+        A.values[k] = i == 7 ? 1e-60 : 0.;
+  const Vector<double> b = load(A.n());
+  LinearSolver         full(with_factors("double"));
+  LinearSolver         single(with_factors("single"));
+  const Vector<double> x = solution(single, A, b);
+  CHECK(x == solution(full, A, b));
+  CHECK(x[7] == Approx(1e60 * b[7]));
+  CHECK(single.memory().needs_double);
+}
+
 TEST_CASE("The program takes factors of single precision for large systems",
           "[solver]")
 {

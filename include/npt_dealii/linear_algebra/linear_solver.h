@@ -93,7 +93,7 @@ namespace NPT
    *   round-off level gains nothing from it.
    * - MUMPS with factors of single precision (automatic: from 5,000 unknowns
    *   on): half the memory; about as fast as those of double precision at 2,500
-   *   unknowns, and in 60 % of the time at 12,630 (both with the solutions).
+   *   unknowns, and in 65 % of the time at 12,630 (both with the solutions).
    *   They are the preconditioner of GMRES in double precision, which takes 2
    *   to 4 iterations to @f$|b - A x| \le 10^{-12} |b|@f$, or to round-off,
    *   @f$|b - A x| \le 10^{-15} \big| |A| |x| \big|@f$. If the matrix magnifies
