@@ -301,9 +301,13 @@ namespace NPT
               }
       }
     matrix_.set_pattern(rows);
-    same_as_previous_.assign(rows.size(), false);
-    for (std::size_t a = 1; a < rows.size(); ++a)
-      same_as_previous_[a] = rows[a] == rows[a - 1];
+    same_as_previous_.assign(matrix_.n(), false);
+    for (std::size_t a = 1; a < matrix_.n(); ++a)
+      same_as_previous_[a] =
+        std::equal(matrix_.columns.begin() + matrix_.row_start[a - 1],
+                   matrix_.columns.begin() + matrix_.row_start[a],
+                   matrix_.columns.begin() + matrix_.row_start[a],
+                   matrix_.columns.begin() + matrix_.row_start[a + 1]);
     for (Group &group : groups_)
       {
         const bool found = find_positions(group);
@@ -420,25 +424,28 @@ namespace NPT
   {
     if (free_pattern_of_ != matrix_.pattern_id())
       {
-        std::vector<int> number(independent_.size(), -1);
+        free_number_.assign(independent_.size(), -1);
         for (unsigned int k = 0; k < free_.size(); ++k)
-          number[free_[k]] = k;
+          free_number_[free_[k]] = k;
         std::vector<std::vector<int>> rows(free_.size());
-        free_source_.clear();
         for (unsigned int k = 0; k < free_.size(); ++k)
-          for (int at = matrix_.row_start[free_[k]];
-               at < matrix_.row_start[free_[k] + 1];
-               ++at)
-            if (number[matrix_.columns[at]] >= 0)
-              {
-                rows[k].push_back(number[matrix_.columns[at]]);
-                free_source_.push_back(at);
-              }
+          {
+            const int begin = matrix_.row_start[free_[k]],
+                      end   = matrix_.row_start[free_[k] + 1];
+            rows[k].reserve(end - begin);
+            for (int at = begin; at < end; ++at)
+              if (free_number_[matrix_.columns[at]] >= 0)
+                rows[k].push_back(free_number_[matrix_.columns[at]]);
+          }
         free_matrix_.set_pattern(rows);
         free_pattern_of_ = matrix_.pattern_id();
       }
-    for (std::size_t at = 0; at < free_source_.size(); ++at)
-      free_matrix_.values[at] = matrix_.values[free_source_[at]];
+    // Both in the order of rows and columns.
+    double *value = free_matrix_.values.data();
+    for (const unsigned int i : free_)
+      for (int at = matrix_.row_start[i]; at < matrix_.row_start[i + 1]; ++at)
+        if (free_number_[matrix_.columns[at]] >= 0)
+          *value++ = matrix_.values[at];
     return free_matrix_;
   }
 } // namespace NPT

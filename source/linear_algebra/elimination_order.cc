@@ -28,10 +28,8 @@ namespace NPT
 
     /// That of A + A^T, with the diagonal where A has it.
     Graph
-    symmetric_graph(const CSRMatrix &A, const bool pattern_is_symmetric)
+    symmetric_graph(const CSRMatrix &A)
     {
-      if (pattern_is_symmetric)
-        return {A.row_start, A.columns};
       std::vector<std::vector<int>> transposed(A.n());
       for (int i = 0; i < static_cast<int>(A.n()); ++i)
         for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
@@ -111,20 +109,28 @@ namespace NPT
                     const Ranks     &ranks)
   {
 #ifdef DEAL_II_WITH_METIS
-    Graph graph = symmetric_graph(A, pattern_is_symmetric);
+    Graph graph;
+    if (!pattern_is_symmetric)
+      graph = symmetric_graph(A);
+    else if (!ranks.is_alone())
+      graph = {A.row_start, A.columns};
     if (!ranks.is_alone())
       graph = gathered(std::move(graph), ranks);
     if (!ranks.is_first())
       return {};
-    // METIS wants it without the diagonal.
-    std::vector<idx_t> start(1, 0), neighbors;
-    neighbors.reserve(graph.neighbors.size());
+    // METIS wants it without the diagonal. A symmetric pattern of one process
+    // is read where it stands.
+    const bool              is_copy = !graph.start.empty();
+    const std::vector<int> &from    = is_copy ? graph.start : A.row_start;
+    const std::vector<int> &to      = is_copy ? graph.neighbors : A.columns;
+    std::vector<idx_t>      start(1, 0), neighbors;
+    neighbors.reserve(to.size());
     idx_t n = A.n();
     for (int i = 0; i < n; ++i)
       {
-        for (int k = graph.start[i]; k < graph.start[i + 1]; ++k)
-          if (graph.neighbors[k] != i)
-            neighbors.push_back(graph.neighbors[k]);
+        for (int k = from[i]; k < from[i + 1]; ++k)
+          if (to[k] != i)
+            neighbors.push_back(to[k]);
         start.push_back(neighbors.size());
       }
     graph = Graph();

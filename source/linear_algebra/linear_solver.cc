@@ -4,12 +4,14 @@
 #include <npt_dealii/base/available_memory.h>
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/base/parameter_binding.h>
+#include <npt_dealii/linear_algebra/flexible_gmres.h>
 #include <npt_dealii/linear_algebra/linear_solver.h>
 #include <npt_dealii/linear_algebra/linear_solver_backend.h>
 
 #include <chrono>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace NPT
@@ -25,6 +27,12 @@ namespace NPT
   // free 1e15 to 3e15, on a foundation of 1e-6 times their stiffness 2e6, on
   // one of 1 to 1e6 times their stiffness below 50.
   constexpr double singular_amplification = 1e13;
+  // Factors of single precision are not used for a matrix above this, and if
+  // a solution takes more iterations.
+  constexpr double       single_precision_amplification = 1e5;
+  constexpr unsigned int single_precision_iterations    = 30;
+  // A residual of this size against |A| |x| is round-off.
+  constexpr double round_off = 1e-15;
 
   namespace
   {
@@ -61,11 +69,10 @@ namespace NPT
                   LinearSolver::Backend &backend)
     {
       const unsigned int n = A.n();
-      Vector<double>     s(n), b(n), x(n);
+      Vector<double>     s, b(n), x(n);
       unsigned int       random = 1;
-      for (unsigned int i = 0; i < n; ++i)
-        for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-          s[i] += std::abs(A.values[k]);
+      x                         = 1.;
+      A.vmult_absolute(s, x);
       ranks.sum(s);
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -74,10 +81,8 @@ namespace NPT
         }
       backend.solve(b, x);
 
-      Vector<double> sums(n);
-      for (unsigned int i = 0; i < n; ++i)
-        for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-          sums[i] += std::abs(A.values[k] * x[A.columns[k]]);
+      Vector<double> sums;
+      A.vmult_absolute(sums, x);
       ranks.sum(sums);
       double       largest = 0;
       unsigned int unknown = 0;
@@ -140,6 +145,20 @@ namespace NPT
 
 
 
+  template <>
+  const EnumNames<LinearSolverParameters::Precision> &
+  enum_names<LinearSolverParameters::Precision>()
+  {
+    using Precision                         = LinearSolverParameters::Precision;
+    static const EnumNames<Precision> names = {
+      {Precision::automatic, "automatic"},
+      {Precision::single_precision, "single"},
+      {Precision::double_precision, "double"}};
+    return names;
+  }
+
+
+
   void
   LinearSolverParameters::add_parameters(dealii::ParameterHandler &prm)
   {
@@ -153,6 +172,14 @@ namespace NPT
       "memory. Direct: MUMPS, UMFPACK. Iterative: GMRES with an incomplete "
       "factorization (ILU) or smoothed aggregation (ML); of the two ILU is "
       "the better one with contact.");
+    add_parameter(
+      prm,
+      "Factors",
+      factors,
+      "Precision of the factors of MUMPS. single: half the memory and up to "
+      "half the time; solutions are iterated to the residual of double "
+      "precision, and matrices for which that does not do are factorized in "
+      "double precision. automatic: single from 5,000 unknowns on.");
     add_parameter(prm,
                   "Tolerance",
                   tolerance,
@@ -256,20 +283,6 @@ namespace NPT
         set_type(LinearSolverParameters::Type::ILU);
         factorize_anew(A);
       }
-    if (backend->is_direct)
-      {
-        const auto [factor, unknown] = amplification(A, ranks, *backend);
-        if (!(factor < singular_amplification))
-          {
-            std::ostringstream detail;
-            detail << name_of(parameters.type) << ": the matrix of size "
-                   << A.n()
-                   << " is singular to working precision (condition at least "
-                   << factor << "); unknown " << unknown << " moves most."
-                   << singular_hint;
-            throw LinearSolverFailed(detail.str());
-          }
-      }
     usable = true;
     seconds_factorize_ += now() - start;
   }
@@ -286,8 +299,49 @@ namespace NPT
         backend->symbolic(A);
         ++n_symbolic_;
         pattern_id = A.pattern_id();
+        if (pattern_id == told_of)
+          backend->remember(told);
+        told_of = 0;
       }
     backend->numeric(A);
+    ++n_numeric_;
+    if (backend->is_direct)
+      check_condition(A);
+  }
+
+
+
+  void
+  LinearSolver::check_condition(const CSRMatrix &A)
+  {
+    auto [factor, unknown] = amplification(A, ranks, *backend);
+    if (backend->has_single_factors() &&
+        !(factor < single_precision_amplification))
+      {
+        std::ostringstream why;
+        why.precision(2);
+        why << "as the condition is at least " << factor;
+        use_double(why.str());
+        std::tie(factor, unknown) = amplification(A, ranks, *backend);
+      }
+    if (!(factor < singular_amplification))
+      {
+        std::ostringstream detail;
+        detail << name_of(parameters.type) << ": the matrix of size " << A.n()
+               << " is singular to working precision (condition at least "
+               << factor << "); unknown " << unknown << " moves most."
+               << singular_hint;
+        throw LinearSolverFailed(detail.str());
+      }
+  }
+
+
+
+  void
+  LinearSolver::use_double(const std::string &why)
+  {
+    usable = false;
+    backend->use_double(why);
     ++n_numeric_;
   }
 
@@ -297,12 +351,7 @@ namespace NPT
   LinearSolver::description() const
   {
     std::ostringstream text;
-    text.precision(2);
-    text << name_of(parameters.type);
-    if (backend->gigabytes() > 0)
-      text << ", memory of " << backend->gigabytes() << " GB";
-    if (backend->has_factors_on_disk())
-      text << ", factors on disk, since they do not fit in the memory";
+    text << name_of(parameters.type) << backend->description();
     if (chosen_by_program)
       text << (reason.empty() ? " (automatic)" :
                                 " (automatic: " + reason + ")");
@@ -324,41 +373,103 @@ namespace NPT
       throw LinearSolverFailed(name_of(parameters.type) +
                                ": the right-hand side is not finite.");
     x.reinit(n_unknowns);
-    backend->solve(rhs, x);
     ++n_solves_;
+    if (backend->has_single_factors())
+      {
+        if (solve_with_single_factors(rhs, x))
+          {
+            seconds_solve_ += now() - start;
+            return;
+          }
+        use_double("as a solution did not reach a residual of 1e-12 in " +
+                   std::to_string(single_precision_iterations) + " iterations");
+        usable = true;
+      }
+    solve_with_factors(rhs, x);
+    seconds_solve_ += now() - start;
+  }
+
+
+
+  double
+  LinearSolver::residual(const Vector<double> &rhs,
+                         const Vector<double> &x,
+                         Vector<double>       &r) const
+  {
+    backend->vmult(r, x);
+    r.sadd(-1., 1., rhs);
+    const double rhs_norm = rhs.l2_norm();
+    return rhs_norm > 0 ? r.l2_norm() / rhs_norm : 0.;
+  }
+
+
+
+  bool
+  LinearSolver::solve_with_single_factors(const Vector<double> &rhs,
+                                          Vector<double>       &x)
+  {
+    const LinearMap product = [&](const Vector<double> &from,
+                                  Vector<double>       &to) {
+      backend->vmult(to, from);
+    };
+    const LinearMap factors = [&](const Vector<double> &from,
+                                  Vector<double>       &to) {
+      backend->solve(from, to);
+    };
+    // Half of what is allowed: the recursion runs ahead of the residual.
+    const double   tolerance = 0.5 * refine_above * rhs.l2_norm();
+    unsigned int   n_left    = single_precision_iterations;
+    Vector<double> r(rhs), correction, sums;
+    for (;;)
+      {
+        const unsigned int n =
+          flexible_gmres(product, factors, r, tolerance, n_left, correction);
+        n_iterations_ += n;
+        n_left -= n;
+        x += correction;
+        if (!is_finite(x))
+          return false;
+        relative_residual_ = residual(rhs, x, r);
+        if (relative_residual_ <= refine_above)
+          return true;
+        backend->vmult_absolute(sums, x);
+        if (r.l2_norm() <= round_off * sums.l2_norm())
+          return true;
+        if (n == 0 || n_left == 0)
+          return false;
+      }
+  }
+
+
+
+  void
+  LinearSolver::solve_with_factors(const Vector<double> &rhs, Vector<double> &x)
+  {
+    backend->solve(rhs, x);
     if (!is_finite(x))
       throw LinearSolverFailed(name_of(parameters.type) +
                                ": the solution is not finite." + singular_hint);
-
-    Vector<double> residual(n_unknowns);
-    const double   rhs_norm     = rhs.l2_norm();
-    const auto     set_residual = [&](const Vector<double> &solution) {
-      backend->vmult(residual, solution);
-      residual.sadd(-1., 1., rhs);
-      return rhs_norm > 0 ? residual.l2_norm() / rhs_norm : 0.;
-    };
-    relative_residual_ = set_residual(x);
-    if (backend->is_direct)
+    Vector<double> r;
+    relative_residual_ = residual(rhs, x, r);
+    if (!backend->is_direct)
       {
-        if (relative_residual_ > refine_above)
+        n_iterations_ += backend->n_iterations;
+        return;
+      }
+    if (relative_residual_ > refine_above)
+      {
+        Vector<double> refined(n_unknowns);
+        backend->solve(r, refined);
+        ++n_iterations_;
+        refined += x;
+        const double refined_residual = residual(rhs, refined, r);
+        if (refined_residual < relative_residual_)
           {
-            Vector<double> refined(n_unknowns);
-            backend->solve(residual, refined);
-            ++n_iterations_;
-            refined += x;
-            const double refined_residual = set_residual(refined);
-            if (refined_residual < relative_residual_)
-              {
-                relative_residual_ = refined_residual;
-                x.swap(refined);
-              }
+            relative_residual_ = refined_residual;
+            x.swap(refined);
           }
       }
-    else
-      n_iterations_ += backend->n_iterations;
-    seconds_solve_ += now() - start;
-
-    if (backend->is_direct && !(relative_residual_ <= unusable_residual))
+    if (!(relative_residual_ <= unusable_residual))
       {
         std::ostringstream detail;
         detail << name_of(parameters.type)
@@ -383,18 +494,20 @@ namespace NPT
 
 
 
-  bool
-  LinearSolver::expects_indefinite() const
+  LinearSolverMemory
+  LinearSolver::memory() const
   {
-    return backend->expects_indefinite();
+    return backend->memory();
   }
 
 
 
   void
-  LinearSolver::expect_indefinite()
+  LinearSolver::remember(const LinearSolverMemory &memory,
+                         const std::size_t         of_pattern)
   {
-    backend->expect_indefinite();
+    told    = memory;
+    told_of = of_pattern;
   }
 
 

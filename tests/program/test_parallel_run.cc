@@ -110,6 +110,34 @@ TEST_CASE("Two and three processes give the curve and the files of one",
 
 
 
+TEST_CASE("Two processes give the curve of one with factors of single "
+          "precision, too",
+          "[top]")
+{
+  const fs::path work = fresh_folder("parallel_single");
+  auto           with = [&](const std::string &factors) {
+    auto arguments = coarse;
+    arguments.push_back("--set=Linear solver/Factors=" + factors);
+    arguments.push_back("--output=" + factors);
+    return arguments;
+  };
+  REQUIRE(run_program(work, with("double")).status == 0);
+  const ProgramResult result = run_on(2, work, with("single"));
+  INFO(result.err);
+  REQUIRE(result.status == 0);
+  CHECK_THAT(result.out, Catch::Contains("factors in single precision"));
+  const Table one = read_table((work / "double/curves.csv").string());
+  const Table two = read_table((work / "single/curves.csv").string());
+  for (const std::string column :
+       {"n1", "n2", "n3", "stored_energy", "dissipation", "n_slip"})
+    {
+      INFO(column);
+      CHECK(difference(one.column(column), two.column(column)) < 1e-8);
+    }
+}
+
+
+
 namespace
 {
   // Send SIGTERM to the first process once, when the first step of a stage is

@@ -219,7 +219,7 @@ namespace NPT
     std::vector<bool>         prescribed_;
     std::vector<unsigned int> free_;
     CSRMatrix                 free_matrix_;
-    std::vector<int>          free_source_;
+    std::vector<int>          free_number_; // of an independent one, or -1
     std::size_t               free_pattern_of_ = 0;
   };
 } // namespace NPT

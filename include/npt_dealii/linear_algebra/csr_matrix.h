@@ -51,19 +51,28 @@ namespace NPT
     /**
      * Take over a pattern and set all values to zero.
      *
-     * @param row_columns Columns of each row in any order, duplicates allowed.
+     * @param row_columns Columns of each row in any order, duplicates allowed;
+     *   empty afterwards.
      */
     void
     set_pattern(std::vector<std::vector<int>> &row_columns)
     {
       row_start.assign(1, 0);
-      columns.clear();
+      row_start.reserve(row_columns.size() + 1);
       for (auto &row : row_columns)
         {
           std::sort(row.begin(), row.end());
           row.erase(std::unique(row.begin(), row.end()), row.end());
+          row_start.push_back(row_start.back() + row.size());
+        }
+      // Not a byte more than they need, and the old ones are gone.
+      columns = std::vector<int>();
+      values  = std::vector<double>();
+      columns.reserve(row_start.back());
+      for (auto &row : row_columns)
+        {
           columns.insert(columns.end(), row.begin(), row.end());
-          row_start.push_back(columns.size());
+          row = std::vector<int>();
         }
       values.assign(columns.size(), 0.);
       static std::size_t counter = 0;
@@ -97,6 +106,22 @@ namespace NPT
           double sum = 0;
           for (int k = row_start[i]; k < row_start[i + 1]; ++k)
             sum += values[k] * x[columns[k]];
+          y[i] = sum;
+        }
+    }
+
+    /// y = |A| |x|, absolute values of all entries.
+    void
+    vmult_absolute(dealii::Vector<double>       &y,
+                   const dealii::Vector<double> &x) const
+    {
+      AssertDimension(x.size(), n());
+      y.reinit(n());
+      for (unsigned int i = 0; i < n(); ++i)
+        {
+          double sum = 0;
+          for (int k = row_start[i]; k < row_start[i + 1]; ++k)
+            sum += std::abs(values[k] * x[columns[k]]);
           y[i] = sum;
         }
     }

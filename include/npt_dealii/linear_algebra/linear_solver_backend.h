@@ -23,6 +23,7 @@ namespace NPT
     virtual void
     symbolic(const CSRMatrix &A) = 0;
 
+    /// A stays where and as it is until the next one.
     virtual void
     numeric(const CSRMatrix &A) = 0;
 
@@ -33,29 +34,45 @@ namespace NPT
     virtual void
     vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const = 0;
 
-    /// Memory of the factors on all processes [GB]; 0 if not known.
-    virtual double
-    gigabytes() const
-    {
-      return 0;
-    }
-
-    virtual bool
-    has_factors_on_disk() const
-    {
-      return false;
-    }
-
-    /// Whether a matrix of the present pattern was found to be indefinite
-    /// though symmetric, so that the next ones are taken to be so.
-    virtual bool
-    expects_indefinite() const
-    {
-      return false;
-    }
-    /// To be known from the next symbolic() on, for that pattern.
+    /// y = |A| |x| likewise; asked for with has_single_factors() only.
     virtual void
-    expect_indefinite()
+    vmult_absolute(dealii::Vector<double>       &y,
+                   const dealii::Vector<double> &x) const
+    {
+      (void)y;
+      (void)x;
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+
+    /// What the log says of it beside its name; begins with a comma.
+    virtual std::string
+    description() const
+    {
+      return "";
+    }
+
+    /// Whether solve() has single precision only.
+    virtual bool
+    has_single_factors() const
+    {
+      return false;
+    }
+    /// Factorize the matrix of the last numeric() again, and from now on all of
+    /// its pattern, in double precision.
+    virtual void
+    use_double(const std::string &why)
+    {
+      (void)why;
+    }
+
+    virtual LinearSolverMemory
+    memory() const
+    {
+      return LinearSolverMemory();
+    }
+    /// Known of the pattern of the last symbolic().
+    virtual void
+    remember(const LinearSolverMemory &)
     {}
 
     bool         is_direct    = true;

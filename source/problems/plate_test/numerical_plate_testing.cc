@@ -156,14 +156,16 @@ namespace NPT
   NumericalPlateTesting::resume_stage(const PlateTestStage &problem)
   {
     if (ranks_.is_alone() && checkpoint_->has_pattern)
-      system_.build_pattern(
-        {checkpoint_->couplings.begin(), checkpoint_->couplings.end()});
-    couplings_          = system_.couplings();
-    expects_indefinite_ = checkpoint_->expects_indefinite;
+      {
+        system_.build_pattern(
+          {checkpoint_->couplings.begin(), checkpoint_->couplings.end()});
+        solver_memory_ = checkpoint_->solver_memory;
+        linear_solver_.remember(solver_memory_,
+                                system_.free_matrix().pattern_id());
+      }
+    couplings_ = system_.couplings();
     if (state_.load_factor == 1.)
       return; // no more matrix of this stage
-    if (expects_indefinite_)
-      linear_solver_.expect_indefinite();
     if (!previous_)
       return;
     Increment increment = problem.increment(*previous_, state_.load_factor);
@@ -401,7 +403,7 @@ namespace NPT
     if (system_.couplings().size() != couplings_.size() ||
         step.before.load_factor == 0.)
       couplings_ = system_.couplings();
-    expects_indefinite_ = linear_solver_.expects_indefinite();
+    solver_memory_ = linear_solver_.memory();
     ++n_unsaved_steps_;
 
     const CheckpointParameters         &due = parameters_.checkpoint;
@@ -419,20 +421,20 @@ namespace NPT
   NumericalPlateTesting::make_checkpoint() const
   {
     PlateTestCheckpoint checkpoint;
-    checkpoint.parameters         = parameters_.used_file;
-    checkpoint.choices            = choices_of_program(parameters_);
-    checkpoint.coarser_mesh       = coarser_mesh_;
-    checkpoint.stage              = stage_;
-    checkpoint.stage_start        = stage_start_;
-    checkpoint.start_woven        = start_woven_;
-    checkpoint.memory.state       = state_;
-    checkpoint.memory.previous    = previous_;
-    checkpoint.memory.place       = place_;
-    checkpoint.woven              = woven_;
-    checkpoint.not_elliptic_in    = not_elliptic_in_;
-    checkpoint.overlap_warned_of  = contact_checks_.overlap_warned_of();
-    checkpoint.has_pattern        = system_.has_pattern();
-    checkpoint.expects_indefinite = expects_indefinite_;
+    checkpoint.parameters        = parameters_.used_file;
+    checkpoint.choices           = choices_of_program(parameters_);
+    checkpoint.coarser_mesh      = coarser_mesh_;
+    checkpoint.stage             = stage_;
+    checkpoint.stage_start       = stage_start_;
+    checkpoint.start_woven       = start_woven_;
+    checkpoint.memory.state      = state_;
+    checkpoint.memory.previous   = previous_;
+    checkpoint.memory.place      = place_;
+    checkpoint.woven             = woven_;
+    checkpoint.not_elliptic_in   = not_elliptic_in_;
+    checkpoint.overlap_warned_of = contact_checks_.overlap_warned_of();
+    checkpoint.has_pattern       = system_.has_pattern();
+    checkpoint.solver_memory     = solver_memory_;
     if (ranks_.is_alone())
       checkpoint.couplings = couplings_;
     else

@@ -25,7 +25,7 @@ namespace NPT
   {
     // Of the archive below; raise it with every change there or in
     // state_archive.h.
-    constexpr unsigned int checkpoint_version = 3;
+    constexpr unsigned int checkpoint_version = 4;
   } // namespace
 
 
@@ -54,6 +54,13 @@ namespace NPT
 
   template <typename Archive>
   void
+  serialize(Archive &archive, LinearSolverMemory &memory, const unsigned int)
+  {
+    archive &memory.is_indefinite &memory.needs_double;
+  }
+
+  template <typename Archive>
+  void
   serialize(Archive &archive, StageEnd &end, const unsigned int)
   {
     archive &end.state &end.woven;
@@ -70,7 +77,7 @@ namespace NPT
     archive &checkpoint.stage_start &checkpoint.start_woven &checkpoint.memory;
     archive &checkpoint.woven &checkpoint.not_elliptic_in;
     archive &checkpoint.overlap_warned_of &checkpoint.has_pattern;
-    archive &checkpoint.couplings &checkpoint.expects_indefinite;
+    archive &checkpoint.couplings &checkpoint.solver_memory;
     archive &checkpoint.results &checkpoint.files &checkpoint.ends;
   }
 

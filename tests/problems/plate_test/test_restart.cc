@@ -366,6 +366,28 @@ TEST_CASE("A run stopped after every step ends as if it had not been",
 
 
 
+TEST_CASE("So does one with factors of single precision, and their solutions "
+          "are those of double precision",
+          "[plate_test]")
+{
+  const auto overrides = small_cell("mortar", "penalty");
+  const auto with      = [&](const std::string &factors) {
+    return read(overrides, {"Linear solver/Factors=" + factors});
+  };
+  check_stopped_run(with("single"));
+  const fs::path single = empty_folder("single"), full = empty_folder("double");
+  REQUIRE(run_in(single, with("single"), false));
+  REQUIRE(run_in(full, with("double"), false));
+  const auto a = read_curves((single / "curves.csv").string()),
+             b = read_curves((full / "curves.csv").string());
+  REQUIRE(a.size() == b.size());
+  for (unsigned int i = 0; i < a.size(); ++i)
+    for (unsigned int k = 0; k < 3; ++k)
+      CHECK(a[i].n[k] == Approx(b[i].n[k]).epsilon(1e-7).margin(1e-9));
+}
+
+
+
 TEST_CASE("So does one whose friction depends on angle and slip",
           "[plate_test]")
 {

@@ -20,9 +20,9 @@ namespace NPT
    *
    * c(n): pairs of functions of n elements of degree p that meet. There are two
    * bundles of n_A x n_B x n_C elements in each of the @f$n_\times@f$ crossings
-   * of the cell. Each pair has 9 entries, of a number and a column, and the
-   * solver has them once more. 0.4: a 2-fold axis may relate the unknowns in
-   * pairs, and some are held.
+   * of the cell. Each pair has 9 entries, of a number and a column, and those
+   * of the free unknowns, which the solver reads, stand there once more. 0.4: a
+   * 2-fold axis may relate the unknowns in pairs, and some are held.
    */
   double
   least_gigabytes(const PlateTestParameters &parameters);

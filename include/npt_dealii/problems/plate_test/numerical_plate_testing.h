@@ -180,7 +180,7 @@ namespace NPT
     std::optional<State>                previous_;
     StepControl::Place                  place_;
     std::set<std::vector<unsigned int>> couplings_;
-    bool                                expects_indefinite_ = false;
+    LinearSolverMemory                  solver_memory_;
 
     // Given to go on from, until that is done.
     std::optional<PlateTestCheckpoint> checkpoint_;

@@ -6,6 +6,7 @@
 #define npt_dealii_problems_plate_test_plate_test_checkpoint_h
 
 #include <npt_dealii/base/ranks.h>
+#include <npt_dealii/linear_algebra/linear_solver.h>
 #include <npt_dealii/load_step/load_stepper.h>
 #include <npt_dealii/problems/plate_test/plate_test_parameters.h>
 #include <npt_dealii/problems/plate_test/plate_test_results.h>
@@ -58,7 +59,7 @@ namespace NPT
     /// the pattern of the matrix and how it is factorized.
     bool                                has_pattern = false;
     std::set<std::vector<unsigned int>> couplings;
-    bool                                expects_indefinite = false;
+    LinearSolverMemory                  solver_memory;
 
     PlateTestResults::Memory results;
     std::vector<std::string> files; ///< of the folder, OutputFolder::files()
