@@ -149,7 +149,8 @@ namespace NPT
       prm,
       "Type",
       type,
-      "automatic: MUMPS, or ILU if the factors of MUMPS do not fit in the "
+      "automatic: on one process fronts of the program's own up to 4000 "
+      "unknowns, else MUMPS, or ILU if the factors of MUMPS do not fit in the "
       "memory. Direct: MUMPS, UMFPACK. Iterative: GMRES with an incomplete "
       "factorization (ILU) or smoothed aggregation (ML); of the two ILU is "
       "the better one with contact.");
@@ -214,7 +215,8 @@ namespace NPT
           Assert(false, dealii::ExcInternalError());
           break;
         case Type::MUMPS:
-          backend = make_mumps_backend(parameters, ranks);
+          backend = chosen_by_program ? make_direct_backend(parameters, ranks) :
+                                        make_mumps_backend(parameters, ranks);
           break;
         case Type::UMFPACK:
           backend = make_umfpack_backend();
@@ -298,7 +300,8 @@ namespace NPT
   {
     std::ostringstream text;
     text.precision(2);
-    text << name_of(parameters.type);
+    const std::string name = backend->name();
+    text << (name.empty() ? name_of(parameters.type) : name);
     if (backend->gigabytes() > 0)
       text << ", memory of " << backend->gigabytes() << " GB";
     if (backend->has_factors_on_disk())

@@ -33,6 +33,13 @@ namespace NPT
     virtual void
     vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const = 0;
 
+    /// Of several solvers behind one type, the one that works; else empty.
+    virtual std::string
+    name() const
+    {
+      return {};
+    }
+
     /// Memory of the factors on all processes [GB]; 0 if not known.
     virtual double
     gigabytes() const
@@ -67,6 +74,10 @@ namespace NPT
   std::unique_ptr<LinearSolver::Backend>
   make_mumps_backend(const LinearSolverParameters &parameters,
                      const Ranks                  &ranks);
+  /// Fronts for small matrices, else MUMPS.
+  std::unique_ptr<LinearSolver::Backend>
+  make_direct_backend(const LinearSolverParameters &parameters,
+                      const Ranks                  &ranks);
   std::unique_ptr<LinearSolver::Backend>
   make_umfpack_backend();
   /// GMRES with an incomplete factorization.
