@@ -277,20 +277,30 @@ namespace NPT
     for (unsigned int f = 0; f < fronts.size(); ++f)
       std::fill_n(front_of.begin() + fronts[f].first, fronts[f].n, f);
 
-    struct Entry
-    {
-      int  front;
-      bool is_upper;
-      int  source, target;
+    // Sorted by counting: lower and upper entries of each front.
+    const auto group_of = [&](const int row, const int column) {
+      return 2 * front_of[std::min(row, column)] + (row < column ? 1 : 0);
     };
-    std::vector<Entry> entries;
-    entries.reserve(A.n_nonzeros());
+    std::vector<int> next(2 * fronts.size() + 1, 0);
+    for (int i = 0; i < n_unknowns; ++i)
+      for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+        ++next[group_of(position[i], position[A.columns[k]]) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (unsigned int f = 0; f < fronts.size(); ++f)
+      {
+        fronts[f].first_entry    = next[2 * f];
+        fronts[f].end_of_lower   = next[2 * f + 1];
+        fronts[f].end_of_entries = next[2 * f + 2];
+      }
+
+    sources.resize(A.n_nonzeros());
+    targets.resize(A.n_nonzeros());
     for (int i = 0; i < n_unknowns; ++i)
       for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
         {
           const int    row = position[i], column = position[A.columns[k]];
-          const int    f     = front_of[std::min(row, column)];
-          const Front &front = fronts[f];
+          const int    group = group_of(row, column);
+          const Front &front = fronts[group / 2];
           const auto   local = [&](const int place) {
             return place < front.first + front.n ?
                        place - front.first :
@@ -300,40 +310,12 @@ namespace NPT
                                                          place) -
                                         front.changed.begin());
           };
-          const int r = local(row), c = local(column);
-          entries.push_back(
-            {f,
-             r < c,
-             k,
-             c < front.n ? c * front.m + r :
-                           front.n * front.m + (c - front.n) * front.n + r});
+          const int r = local(row), c = local(column), at = next[group]++;
+          sources[at] = k;
+          targets[at] = c < front.n ?
+                          c * front.m + r :
+                          front.n * front.m + (c - front.n) * front.n + r;
         }
-    std::stable_sort(entries.begin(),
-                     entries.end(),
-                     [](const Entry &a, const Entry &b) {
-                       return std::pair(a.front, a.is_upper) <
-                              std::pair(b.front, b.is_upper);
-                     });
-    sources.clear();
-    targets.clear();
-    for (const Entry &entry : entries)
-      {
-        sources.push_back(entry.source);
-        targets.push_back(entry.target);
-      }
-    unsigned int e = 0;
-    for (unsigned int f = 0; f < fronts.size(); ++f)
-      {
-        Front &front      = fronts[f];
-        front.first_entry = e;
-        while (e < entries.size() && entries[e].front == static_cast<int>(f) &&
-               !entries[e].is_upper)
-          ++e;
-        front.end_of_lower = e;
-        while (e < entries.size() && entries[e].front == static_cast<int>(f))
-          ++e;
-        front.end_of_entries = e;
-      }
   }
 
 
