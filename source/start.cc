@@ -6,18 +6,33 @@
 // among those that it depends on, instead of among all; that halves the time to
 // start, which is a fifth of a short run (doc/performance.md).
 //
+// More than half of the libraries are there because deal.II can read CAD files,
+// use PETSc, and so on, which this program never asks for. For each of them the
+// build folder has a link of its name to one small library
+// (scripts/write_libraries.cmake), which is loaded first: the system then takes
+// that name for loaded. Where the links are missing, the same call loads the
+// library itself; where they are too old for a new deal.II, the program is
+// started again without them.
+//
 // What is global is searched first by every library, so this file uses nothing
 // but the C library.
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
-#include "libraries.h" // of the build folder: libraries, program_library
+#include "libraries.h" // of the build folder: the names of all libraries
 
 namespace
 {
+  // Set for the second start, without the links.
+  const char *const with_all = "NPT_LOAD_ALL_LIBRARIES";
+
+
+
   // A library that is not there any more is no loss: who needs another one
   // loads it. MPI comes first and is global: Open MPI loads parts of its own,
   // which look for it there, and what stands for MPI_IN_PLACE and the like in
@@ -25,6 +40,9 @@ namespace
   void
   load_dependencies()
   {
+    if (std::getenv(with_all) == nullptr)
+      for (const char *const name : idle_libraries)
+        dlopen(name, RTLD_LAZY | RTLD_LOCAL);
     for (const char *const name : libraries)
       if (std::strncmp(name, "libmpi.so", 9) == 0)
         dlopen(name, RTLD_LAZY | RTLD_GLOBAL);
@@ -43,6 +61,11 @@ main(int argc, char **argv)
   void *const entry   = program == nullptr ? nullptr : dlsym(program, "main");
   if (entry == nullptr)
     {
+      if (std::getenv(with_all) == nullptr)
+        {
+          setenv(with_all, "1", 1);
+          execv("/proc/self/exe", argv);
+        }
       // As the system says it of libraries that it loads, with its status.
       std::fprintf(stderr,
                    "%s: error while loading shared libraries: %s. Keep this "

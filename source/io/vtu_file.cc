@@ -181,7 +181,7 @@ namespace NPT
                       &n_compressed,
                       reinterpret_cast<const Bytef *>(values.data()),
                       n_bytes,
-                      Z_DEFAULT_COMPRESSION);
+                      Z_BEST_SPEED);
           AssertThrow(status == Z_OK,
                       ExcMessage("zlib refused to compress an array."));
 

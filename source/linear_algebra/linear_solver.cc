@@ -168,7 +168,8 @@ namespace NPT
       prm,
       "Type",
       type,
-      "automatic: MUMPS, or ILU if the factors of MUMPS do not fit in the "
+      "automatic: on one process fronts of the program's own up to 4000 "
+      "unknowns, else MUMPS, or ILU if the factors of MUMPS do not fit in the "
       "memory. Direct: MUMPS, UMFPACK. Iterative: GMRES with an incomplete "
       "factorization (ILU) or smoothed aggregation (ML); of the two ILU is "
       "the better one with contact.");
@@ -241,7 +242,8 @@ namespace NPT
           Assert(false, dealii::ExcInternalError());
           break;
         case Type::MUMPS:
-          backend = make_mumps_backend(parameters, ranks);
+          backend = chosen_by_program ? make_direct_backend(parameters, ranks) :
+                                        make_mumps_backend(parameters, ranks);
           break;
         case Type::UMFPACK:
           backend = make_umfpack_backend();
@@ -351,7 +353,9 @@ namespace NPT
   LinearSolver::description() const
   {
     std::ostringstream text;
-    text << name_of(parameters.type) << backend->description();
+    const std::string  name = backend->name();
+    text << (name.empty() ? name_of(parameters.type) : name)
+         << backend->description();
     if (chosen_by_program)
       text << (reason.empty() ? " (automatic)" :
                                 " (automatic: " + reason + ")");

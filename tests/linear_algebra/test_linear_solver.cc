@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <sstream>
@@ -50,7 +51,7 @@ TEST_CASE("Every solver solves unsymmetric elasticity to its tolerance",
           "[solver]")
 {
   const auto name =
-    GENERATE(as<std::string>(), "MUMPS", "UMFPACK", "ILU", "ML");
+    GENERATE(as<std::string>(), "automatic", "MUMPS", "UMFPACK", "ILU", "ML");
   const auto [A, modes]   = make_elastic_block({{6, 5, 2}}, 1, 1., 0.3);
   const Vector<double> x0 = some_vector(A.n());
   Vector<double>       b, x;
@@ -76,7 +77,7 @@ TEST_CASE("New values of the same pattern reuse the symbolic factorization, a "
           "[solver]")
 {
   const auto name =
-    GENERATE(as<std::string>(), "MUMPS", "UMFPACK", "ILU", "ML");
+    GENERATE(as<std::string>(), "automatic", "MUMPS", "UMFPACK", "ILU", "ML");
   CSRMatrix    A = make_elastic_block({{4, 4, 2}}, 1, 1., 0.3).matrix;
   LinearSolver solver(type(name));
   INFO(name);
@@ -119,7 +120,8 @@ TEST_CASE("Direct solvers take matrices of one pattern that are positive "
           "definite, indefinite and unsymmetric in any order",
           "[solver]")
 {
-  const auto name = GENERATE(as<std::string>(), "MUMPS", "UMFPACK");
+  const auto name =
+    GENERATE(as<std::string>(), "automatic", "MUMPS", "UMFPACK");
   INFO(name);
   // Two springs per unknown and one to the ground, a load that follows.
   const unsigned int            n = 60;
@@ -159,7 +161,8 @@ TEST_CASE("Direct solvers find a body that nothing holds, also if the load is "
           "in balance",
           "[solver]")
 {
-  const auto name = GENERATE(as<std::string>(), "MUMPS", "UMFPACK");
+  const auto name =
+    GENERATE(as<std::string>(), "automatic", "MUMPS", "UMFPACK");
   INFO(name);
   std::ostringstream noise;
   auto *const        screen = std::cerr.rdbuf(noise.rdbuf());
@@ -201,7 +204,7 @@ TEST_CASE("Direct solvers find a body that nothing holds, also if the load is "
 TEST_CASE("A right-hand side that is not finite fails the step", "[solver]")
 {
   const auto name =
-    GENERATE(as<std::string>(), "MUMPS", "UMFPACK", "ILU", "ML");
+    GENERATE(as<std::string>(), "automatic", "MUMPS", "UMFPACK", "ILU", "ML");
   const CSRMatrix A = make_elastic_block({{2, 2, 2}}, 1, 1.).matrix;
   LinearSolver    solver(type(name));
   Vector<double>  x, b = some_vector(A.n());
@@ -212,8 +215,9 @@ TEST_CASE("A right-hand side that is not finite fails the step", "[solver]")
 
 TEST_CASE("A soft foundation is not taken for none", "[solver]")
 {
-  const auto      name = GENERATE(as<std::string>(), "MUMPS", "UMFPACK");
-  const CSRMatrix A    = make_elastic_block({{4, 4, 2}}, 2, 1e-6, 0.3).matrix;
+  const auto name =
+    GENERATE(as<std::string>(), "automatic", "MUMPS", "UMFPACK");
+  const CSRMatrix A = make_elastic_block({{4, 4, 2}}, 2, 1e-6, 0.3).matrix;
   LinearSolver    solver(type(name));
   Vector<double>  x;
   solver.factorize(A);
@@ -282,7 +286,7 @@ TEST_CASE("The program takes ILU where the factors of MUMPS do not fit, and "
   LinearSolver free_choice(type("automatic"));
   free_choice.factorize(A);
   CHECK_THAT(free_choice.description(),
-             Catch::Contains("MUMPS") && !Catch::Contains("disk"));
+             Catch::Contains("fronts") && !Catch::Contains("disk"));
 
   LinearSolverParameters little_memory = type("automatic");
   little_memory.maximum_memory         = 1e-6;
@@ -334,4 +338,78 @@ TEST_CASE("Factors of MUMPS that do not fit in the memory go to the disk",
   CHECK_THROWS_AS(nowhere.factorize(A), OutOfMemory);
   CHECK_THROWS_WITH(nowhere.factorize(A), Catch::Contains("on the disk"));
   unsetenv("MUMPS_OOC_TMPDIR");
+}
+
+
+
+TEST_CASE("A matrix whose first pivots are zero is left to MUMPS, the next one "
+          "is not",
+          "[solver]")
+{
+  // A constraint that is eliminated first: [[0, 1], [1, 0]] in many places.
+  const unsigned int            n = 40;
+  CSRMatrix                     A;
+  std::vector<std::vector<int>> columns(2 * n);
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      const int a = 2 * i, b = a + 1, c = (a + 3) % (2 * n);
+      for (const auto &[row, column] :
+           {std::pair(a, a), {a, b}, {b, a}, {b, b}, {b, c}, {c, b}})
+        columns[row].push_back(column);
+    }
+  A.set_pattern(columns);
+  const auto fill = [&](const double first) {
+    A.set_zero();
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const int a = 2 * i, b = a + 1, c = (a + 3) % (2 * n);
+        A.values[A.position(a, a)] = first;
+        A.values[A.position(a, b)] = A.values[A.position(b, a)] = 1;
+        A.values[A.position(b, b)]                              = 5;
+        A.values[A.position(b, c)] += 0.5;
+        A.values[A.position(c, b)] += 0.5;
+      }
+  };
+  LinearSolver         solver(type("automatic"));
+  const Vector<double> b = some_vector(2 * n);
+  for (const double first : {2., 1e-14, 2.})
+    {
+      INFO(first);
+      Vector<double> x;
+      fill(first);
+      solver.factorize(A);
+      solver.solve(b, x);
+      CHECK(relative_residual(A, x, b) < 1e-12);
+    }
+  CHECK(solver.n_symbolic() == 1);
+}
+
+
+
+TEST_CASE(
+  "Fronts and MUMPS agree to round-off, and fronts repeat themselves to "
+  "the last bit",
+  "[solver]")
+{
+  for (const double unsymmetric : {0., 0.3})
+    for (const unsigned int size : {2u, 5u, 9u})
+      {
+        const CSRMatrix A =
+          make_elastic_block({{size, size, 2}}, 2, 1., unsymmetric).matrix;
+        const Vector<double>          b = some_vector(A.n());
+        std::array<Vector<double>, 3> x;
+        unsigned int                  k = 0;
+        for (const std::string name : {"MUMPS", "automatic", "automatic"})
+          {
+            LinearSolver solver(type(name));
+            solver.factorize(A);
+            CHECK_THAT(solver.description(),
+                       Catch::Contains(name == "MUMPS" ? "MUMPS" : "fronts"));
+            solver.solve(b, x[k++]);
+            CHECK(solver.relative_residual() < 1e-12);
+          }
+        CHECK(x[1] == x[2]);
+        x[0] -= x[1];
+        CHECK(x[0].linfty_norm() < 1e-9 * x[1].linfty_norm());
+      }
 }

@@ -298,3 +298,23 @@ TEST_CASE("A solver that the memory does not suffice for is no body that "
                !Contains("holds"));
   CHECK_THAT(read_text(work / "output/summary.csv"), Contains("out of memory"));
 }
+
+
+
+TEST_CASE(
+  "Which libraries are loaded at the start, and whether their functions "
+  "are looked for then or later, changes nothing",
+  "[program]")
+{
+  for (const std::string variable :
+       {"NPT_LOAD_ALL_LIBRARIES=1", "LD_BIND_NOW=1"})
+    {
+      INFO(variable);
+      const fs::path      work = fresh_folder("libraries");
+      const ProgramResult result =
+        run_by(work, "env", {variable}, {no_picture});
+      INFO(result.err);
+      REQUIRE(result.status == 0);
+      CHECK(without_times(work / "output/curves.csv") == usual_curve());
+    }
+}

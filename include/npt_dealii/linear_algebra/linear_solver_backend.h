@@ -44,6 +44,13 @@ namespace NPT
       AssertThrow(false, dealii::ExcNotImplemented());
     }
 
+    /// Of several solvers behind one type, the one that works; else empty.
+    virtual std::string
+    name() const
+    {
+      return "";
+    }
+
     /// What the log says of it beside its name; begins with a comma.
     virtual std::string
     description() const
@@ -84,6 +91,10 @@ namespace NPT
   std::unique_ptr<LinearSolver::Backend>
   make_mumps_backend(const LinearSolverParameters &parameters,
                      const Ranks                  &ranks);
+  /// Fronts for small matrices, else MUMPS.
+  std::unique_ptr<LinearSolver::Backend>
+  make_direct_backend(const LinearSolverParameters &parameters,
+                      const Ranks                  &ranks);
   std::unique_ptr<LinearSolver::Backend>
   make_umfpack_backend();
   /// GMRES with an incomplete factorization.

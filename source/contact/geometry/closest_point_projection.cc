@@ -128,6 +128,14 @@ namespace NPT
       void
       set_gap(const bool third_derivatives);
 
+      // What was found, to where the caller wants it.
+      void
+      hand_over()
+      {
+        if (c_ != &result_)
+          std::swap(*c_, result_);
+      }
+
     private:
       // Newton's step for half the squared distance.
       struct Step
@@ -172,10 +180,12 @@ namespace NPT
       std::array<std::pair<double, double>, m> domain_, piece_;
       std::array<double, m>                    u_;
       Segment<m>                               segment_ = {};
-      ClosestPoint<dim>                       &c_;
-      ClosestPoint<dim>                       &trial_;
-      double                                   distance2_;
-      unsigned int                             n_changes_ = 0;
+      // The best point so far and one that is tried: they change their places.
+      ClosestPoint<dim> *c_;
+      ClosestPoint<dim> *trial_;
+      ClosestPoint<dim> &result_;
+      double             distance2_;
+      unsigned int       n_changes_ = 0;
     };
 
 
@@ -203,8 +213,9 @@ namespace NPT
       , positions_(positions)
       , point_(point)
       , u_(start)
-      , c_(result)
-      , trial_(trial_point<dim>())
+      , c_(&result)
+      , trial_(&trial_point<dim>())
+      , result_(result)
     {
       for (int k = 0; k < m; ++k)
         {
@@ -215,11 +226,11 @@ namespace NPT
           segment_[k] = face_.find_segment(k, u_[k]);
           piece_[k]   = surface_.smooth_piece(k, segment_[k]);
         }
-      c_.found       = false;
-      c_.edge_radius = 0.;
-      c_.on_boundary = false;
-      evaluate(u_, segment_, 2, c_);
-      distance2_ = c_.r.norm_square();
+      c_->found       = false;
+      c_->edge_radius = 0.;
+      c_->on_boundary = false;
+      evaluate(u_, segment_, 2, *c_);
+      distance2_ = c_->r.norm_square();
     }
 
 
@@ -275,8 +286,8 @@ namespace NPT
       // Half the gradient of the squared distance; its Hessian H_ab of (A8).
       for (int k = 0; k < m; ++k)
         {
-          newton.gradient[k] = -(c_.r * c_.a[k]);
-          newton.metric[k]   = c_.a[k].norm_square();
+          newton.gradient[k] = -(c_->r * c_->a[k]);
+          newton.metric[k]   = c_->a[k].norm_square();
           newton.step[k]     = 0;
           const bool at_low  = u_[k] <= piece_[k].first;
           const bool at_high = u_[k] >= piece_[k].second;
@@ -294,14 +305,14 @@ namespace NPT
       for (int k = 0; k < m; ++k)
         for (int l = 0; l < m; ++l)
           newton.H[k][l] =
-            c_.a[k] * c_.a[l] -
-            c_.r * c_.x_second[SymmetricIndices<m>::second(k, l)];
+            c_->a[k] * c_->a[l] -
+            c_->r * c_->x_second[SymmetricIndices<m>::second(k, l)];
       if (!solve(newton))
         {
           newton.gauss_newton = true;
           for (int k = 0; k < m; ++k)
             for (int l = 0; l < m; ++l)
-              newton.H[k][l] = c_.a[k] * c_.a[l];
+              newton.H[k][l] = c_->a[k] * c_->a[l];
           if (!solve(newton))
             return false;
         }
@@ -364,9 +375,9 @@ namespace NPT
               continue;
             Segment<m> other = segment_;
             other[k] += high ? 1 : -1;
-            evaluate(u_, other, 2, trial_);
-            const double slope = -(trial_.r * trial_.a[k]);
-            const double size  = trial_.a[k].norm() * trial_.r.norm() * 1e-12;
+            evaluate(u_, other, 2, *trial_);
+            const double slope = -(trial_->r * trial_->a[k]);
+            const double size  = trial_->a[k].norm() * trial_->r.norm() * 1e-12;
             if ((high && slope < -size) || (!high && slope > size))
               {
                 segment_  = other;
@@ -401,8 +412,8 @@ namespace NPT
               segment_new[k] = segment_in_piece(face_, k, piece_[k], u_new[k]);
               predicted += newton.gradient[k] * (u_new[k] - u_[k]);
             }
-          evaluate(u_new, segment_new, 2, trial_);
-          const double trial2 = trial_.r.norm_square();
+          evaluate(u_new, segment_new, 2, *trial_);
+          const double trial2 = trial_->r.norm_square();
           if (last ||
               (predicted < 0 && trial2 <= distance2_ + 2e-4 * predicted))
             {
@@ -422,10 +433,10 @@ namespace NPT
     void
     Projection<dim>::finish(const bool *free)
     {
-      c_.found = true;
+      c_->found = true;
       for (int k = 0; k < m; ++k)
         {
-          c_.free[k] = free[k];
+          c_->free[k] = free[k];
           // Where another piece of the strand continues the surface, its end
           // is not a boundary of the body.
           if (!free[k] &&
@@ -433,7 +444,7 @@ namespace NPT
                 !(k == surface_.along() && surface_.neighbor(0) >= 0)) ||
                (u_[k] >= domain_[k].second &&
                 !(k == surface_.along() && surface_.neighbor(1) >= 0))))
-            c_.on_boundary = true;
+            c_->on_boundary = true;
         }
     }
 
@@ -447,15 +458,15 @@ namespace NPT
     {
       Tensor<1, dim> mean = n;
       for (int k = 0; k < m; ++k)
-        if (!c_.free[k] && u_[k] > domain_[k].first &&
+        if (!c_->free[k] && u_[k] > domain_[k].first &&
             u_[k] < domain_[k].second)
           {
             Segment<m> other = segment_;
             other[k] += u_[k] >= piece_[k].second ? 1 : -1;
-            evaluate(u_, other, 2, trial_);
-            mean += unit_normal(surface_, trial_.a);
+            evaluate(u_, other, 2, *trial_);
+            mean += unit_normal(surface_, trial_->a);
           }
-      return mean * c_.r >= 0 ? 1. : -1.;
+      return mean * c_->r >= 0 ? 1. : -1.;
     }
 
 
@@ -464,19 +475,19 @@ namespace NPT
     void
     Projection<dim>::set_gap(const bool third_derivatives)
     {
-      if (third_derivatives || c_.on_boundary)
-        evaluate(u_, segment_, 3, c_);
+      if (third_derivatives || c_->on_boundary)
+        evaluate(u_, segment_, 3, *c_);
 
       bool all_free = true;
       for (int k = 0; k < m; ++k)
-        all_free = all_free && c_.free[k];
+        all_free = all_free && c_->free[k];
 
-      const Tensor<1, dim> n = unit_normal(surface_, c_.a);
-      const double         r = c_.r.norm();
-      if (all_free || r < 1e-12 * c_.a[0].norm())
+      const Tensor<1, dim> n = unit_normal(surface_, c_->a);
+      const double         r = c_->r.norm();
+      if (all_free || r < 1e-12 * c_->a[0].norm())
         {
-          c_.normal = n;
-          c_.gap    = n * c_.r;
+          c_->normal = n;
+          c_->gap    = n * c_->r;
           return;
         }
 
@@ -484,17 +495,17 @@ namespace NPT
       // point that slides over it jump from -d to +d: contact sees it rounded,
       // (A15), C1 where the surface ends. Without a radius the point is outside
       // of the body.
-      c_.surface_normal = n;
-      if (c_.on_boundary && surface_.edge_radius() > 0.)
+      c_->surface_normal = n;
+      if (c_->on_boundary && surface_.edge_radius() > 0.)
         {
-          c_.edge_radius = surface_.edge_radius();
-          c_.normal      = c_.r / r;
-          c_.gap         = RoundedEdge(c_.edge_radius, r, n * c_.r).gap;
+          c_->edge_radius = surface_.edge_radius();
+          c_->normal      = c_->r / r;
+          c_->gap         = RoundedEdge(c_->edge_radius, r, n * c_->r).gap;
           return;
         }
-      const double side = c_.on_boundary ? 1. : side_of_kink(n);
-      c_.normal         = side * c_.r / r;
-      c_.gap            = side * r;
+      const double side = c_->on_boundary ? 1. : side_of_kink(n);
+      c_->normal        = side * c_->r / r;
+      c_->gap           = side * r;
     }
   } // namespace
 
@@ -512,6 +523,7 @@ namespace NPT
     Projection<dim> projection(surface, positions, point, start, result);
     if (projection.minimize())
       projection.set_gap(third_derivatives);
+    projection.hand_over();
   }
 
 
