@@ -25,6 +25,10 @@ namespace NPT
    * with orthonormal v_j, v_1 = b / |b|, that the A M v_j span. Each iteration
    * costs one M and one product; all v_j and M v_j are kept.
    *
+   * deal.II's SolverFGMRES sees the residual of an iteration only after M and A
+   * of the next one. Where two or three iterations do, that is a third of all
+   * solutions with the factors.
+   *
    * @param A         The matrix.
    * @param M         Nearly its inverse.
    * @param tolerance Of the residual of the recursion, which runs ahead of the
