@@ -22,6 +22,18 @@ namespace NPT
     constexpr double smallest_force      = 1e-14; // of the force unit
     constexpr double same_norm           = 1e-6;  // relative, for cycles
 
+    // Of an iteration that jumps to and fro over a kink: how many norms are
+    // compared with as many before, by how much the largest must have fallen,
+    // and what is left of the next correction if it has not.
+    constexpr unsigned int n_compared_norms  = 3;
+    constexpr double       stalled_reduction = 0.75;
+    constexpr double       damped_correction = 0.25;
+
+    // An iteration that is about to converge may exceed its limit: what each
+    // correction has to leave of the residual then, and what part of the limit.
+    constexpr double       promising_reduction = 0.5;
+    constexpr unsigned int part_beyond_limit   = 4; // a quarter
+
     // Of a kept tangent: how many corrections it may take to converge, by how
     // much each must reduce the residual, and what counts as converged then.
     constexpr double most_kept_corrections = 12;
@@ -72,7 +84,8 @@ namespace NPT
                   "Maximum iterations",
                   max_iterations,
                   "Corrections after which the load step counts as "
-                  "failed [-].",
+                  "failed [-]; a quarter more while each halves the "
+                  "residual.",
                   Patterns::Integer(1, 1000));
     add_parameter(prm,
                   "Line search",
@@ -283,7 +296,12 @@ namespace NPT
           if (repeats(norms, period))
             fail<NewtonStalled>("active set cycling",
                                 "Period " + std::to_string(period) + ".");
-        if (report_.iterations >= parameters_.max_iterations)
+        const bool promises =
+          norms.size() > 1 &&
+          norm <= promising_reduction * norms[norms.size() - 2];
+        const unsigned int limit = parameters_.max_iterations;
+        if (report_.iterations >=
+            (promises ? limit + limit / part_beyond_limit : limit))
           fail("iteration limit", "");
         return false;
       }
@@ -299,6 +317,19 @@ namespace NPT
         return norm;
       }
 
+      // The nonmonotone line search lets pass what jumps over the solution and
+      // back, falling by a little each time; a shorter correction breaks this.
+      bool
+      jumps_to_and_fro() const
+      {
+        constexpr unsigned int n     = n_compared_norms;
+        const auto            &norms = report_.residual_norms;
+        return norms.size() >= 2 * n &&
+               *std::max_element(norms.end() - n, norms.end()) >
+                 stalled_reduction *
+                   *std::max_element(norms.end() - 2 * n, norms.end() - n);
+      }
+
       // Halve the correction until it is accepted.
       double
       search_along()
@@ -308,7 +339,7 @@ namespace NPT
           std::min<std::size_t>(parameters_.nonmonotone_memory, norms.size());
         const double reference =
           *std::max_element(norms.end() - memory, norms.end());
-        double       alpha     = 1;
+        double       alpha     = jumps_to_and_fro() ? damped_correction : 1.;
         double       best      = std::numeric_limits<double>::infinity();
         unsigned int n_refused = 0;
         std::string  last_refusal;

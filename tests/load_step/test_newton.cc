@@ -247,11 +247,6 @@ TEST_CASE("Cycles of period two and three are recognized", "[solver]")
                      [](double x) { return 3 * x * x - 2; });
     CHECK(failure_reason(parameters, problem, start(0)) ==
           "active set cycling");
-    // The line search breaks the cycle and finds the root far away.
-    parameters.line_search = true;
-    Vector<double> x       = start(0);
-    CHECK(solve_newton(parameters, problem, x).converged);
-    CHECK(x[0] == Approx(-1.7692923542));
   }
   SECTION("three: 1 -> 2 -> 4 -> 1")
   {
@@ -261,12 +256,59 @@ TEST_CASE("Cycles of period two and three are recognized", "[solver]")
     CHECK(failure_reason(parameters, problem, start(1)) ==
           "active set cycling");
   }
+  SECTION("the line search breaks a cycle, 1.39 -> -1.39 of an arctangent")
+  {
+    const auto problem =
+      scalar_problem([](double x) { return std::atan(x); },
+                     [](double x) { return 1 / (1 + x * x); });
+    const double x0 = 1.3917452002707349; // atan x = 2 x / (1 + x^2)
+    CHECK(failure_reason(parameters, problem, start(x0)) == "stagnated");
+    parameters.line_search = true;
+    Vector<double> x       = start(x0);
+    CHECK(solve_newton(parameters, problem, x).converged);
+    CHECK(std::abs(x[0]) < 1e-7);
+  }
   SECTION("a constant residual is stagnation")
   {
     const auto problem = scalar_problem([](double x) { return 1 + 1e-9 * x; },
                                         [](double) { return 1.; });
     CHECK(failure_reason(parameters, problem, start(0)) == "stagnated");
   }
+}
+
+TEST_CASE("A correction is shortened where they jump to and fro", "[solver]")
+{
+  // Full corrections of sign(x) |x|^p lead from x to -0.98 x: norms
+  // fall by 1 % each, which the line search accepts 1400 times.
+  const double p       = 0.505;
+  const auto   problem = scalar_problem(
+    [p](double x) { return std::copysign(std::pow(std::abs(x), p), x); },
+    [p](double x) { return p * std::pow(std::abs(x), p - 1); });
+  NewtonParameters parameters;
+  parameters.relative_tolerance = 1e-6;
+  parameters.max_iterations     = 150;
+  Vector<double>     x          = start(1);
+  const NewtonReport report     = solve_newton(parameters, problem, x);
+  CHECK(report.converged);
+  CHECK(report.n_line_search_cuts == 0);
+  CHECK(std::abs(x[0]) < 1e-11);
+}
+
+TEST_CASE("Only an iteration about to converge exceeds its limit", "[solver]")
+{
+  // A tangent off by a constant factor leaves this part of each residual.
+  const double part = GENERATE(0.4, 0.6);
+  const auto   problem =
+    scalar_problem([](double x) { return x; },
+                   [part](double) { return 1 / (1 - part); });
+  NewtonParameters parameters;
+  parameters.keep_tangent       = false;
+  parameters.max_iterations     = 8;
+  parameters.relative_tolerance = std::pow(part, 9.5); // after ten corrections
+  CHECK(failure_reason(parameters, problem, start(1)) ==
+        (part < 0.5 ? "none" : "iteration limit"));
+  parameters.max_iterations = 7; // and a quarter: eight
+  CHECK(failure_reason(parameters, problem, start(1)) == "iteration limit");
 }
 
 TEST_CASE("A trial that cannot be evaluated is a step too long", "[solver]")

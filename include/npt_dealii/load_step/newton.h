@@ -111,6 +111,12 @@ namespace NPT
    * or whose residual is not finite is rejected like one that is too large; a
    * converged trial is always accepted.
    *
+   * At a kink, such as a contact point that opens and closes, corrections may
+   * jump over the solution and back, with norms that fall by so little each
+   * time that the iteration limit comes first. So the first trial is a quarter
+   * of the correction where the largest of the last three norms is above three
+   * quarters of the largest of the three before.
+   *
    * With keep_tangent a tangent serves for several corrections of one call,
    * never for those of another: what a call returns depends on its arguments
    * alone. If one correction reduces the residual by the factor theta, the next
@@ -122,7 +128,8 @@ namespace NPT
    * of the tolerance: what is left is not squared away by the last correction.
    *
    * Throws NewtonNotConverged with one of the reasons
-   * - "iteration limit",
+   * - "iteration limit": after max_iterations corrections, or a quarter more
+   *   while each halves the residual,
    * - "line search failed": no halving is accepted; x gives no descent,
    * - "active set cycling": the residual norms repeat with period 2 or 3
    *   within 1e-6,
