@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <sstream>
@@ -186,13 +187,13 @@ namespace NPT
   MUMPSInstance<Number>::factorize(const CSRMatrix &A)
   {
     set_values(A);
-    // Pivoting may need more memory than the analysis foresaw (-8, -9); then
-    // more is granted once and for all.
+    // Pivoting may need more memory than the analysis foresaw (-8, -9, -11);
+    // then more is granted once and for all.
     for (;;)
       {
         call(2);
         const int error = data.infog[0];
-        if ((error == -8 || error == -9) && extra_memory < 1000)
+        if ((error == -8 || error == -9 || error == -11) && extra_memory < 1000)
           {
             extra_memory *= 3;
             analyze();
@@ -285,6 +286,32 @@ namespace NPT
                                         " GB are available");
         throw OutOfMemory(detail.str());
       }
+    provide_workspace();
+  }
+
+
+
+  // The array of fronts and factors. MUMPS would ask the system for it at every
+  // factorization, and get pages that have to be made first.
+  template <typename Number>
+  void
+  MUMPSInstance<Number>::provide_workspace()
+  {
+    constexpr std::int64_t one_million = 1000000;
+    data.wk_user                       = nullptr;
+    data.lwk_user                      = 0;
+    if (is_on_disk)
+      return;
+    // Both numbers are in millions where they are negative.
+    std::int64_t n_entries = data.info[7];
+    if (n_entries < 0)
+      n_entries *= -one_million;
+    const std::int64_t n_millions =
+      n_entries * (100 + extra_memory) / 100 / one_million + 1;
+    if (!ranks.all(workspace.resize(n_millions * one_million)))
+      throw OutOfMemory("The system has no memory for the factors of MUMPS.");
+    data.wk_user  = workspace.data();
+    data.lwk_user = -n_millions;
   }
 
 

@@ -4,6 +4,7 @@
 #ifndef npt_dealii_linear_algebra_mumps_factors_h
 #define npt_dealii_linear_algebra_mumps_factors_h
 
+#include <npt_dealii/base/large_pages.h>
 #include <npt_dealii/base/ranks.h>
 #include <npt_dealii/linear_algebra/csr_matrix.h>
 
@@ -126,6 +127,8 @@ namespace NPT
     set_values(const CSRMatrix &A);
     void
     analyze();
+    void
+    provide_workspace();
     int &
     control(const int number);
     void
@@ -143,6 +146,7 @@ namespace NPT
     std::vector<Number>                 values; // unless those of the matrix
     int                                 exponent = 0; // of the power of two
     std::vector<Number>                 solution;     // single precision
+    LargePages<Number>                  workspace;    // and factors
   };
 } // namespace NPT
 
