@@ -24,7 +24,7 @@ namespace NPT
 
     // Of an iteration that jumps to and fro over a kink: how many norms are
     // compared with as many before, by how much the largest must have fallen,
-    // and what is left of the next correction if it has not.
+    // and what is left of the next corrections if it has not.
     constexpr unsigned int n_compared_norms  = 3;
     constexpr double       stalled_reduction = 0.75;
     constexpr double       damped_correction = 0.25;
@@ -330,6 +330,29 @@ namespace NPT
                    *std::max_element(norms.end() - 2 * n, norms.end() - n);
       }
 
+      // Three shortened corrections, then three full ones: from a valley of the
+      // norm short ones alone do not lead out.
+      double
+      first_trial()
+      {
+        if (n_full_ > 0)
+          {
+            --n_full_;
+            return 1.;
+          }
+        if (!jumps_to_and_fro())
+          {
+            n_shortened_ = 0;
+            return 1.;
+          }
+        if (++n_shortened_ == n_compared_norms)
+          {
+            n_shortened_ = 0;
+            n_full_      = n_compared_norms;
+          }
+        return damped_correction;
+      }
+
       // Halve the correction until it is accepted.
       double
       search_along()
@@ -339,7 +362,7 @@ namespace NPT
           std::min<std::size_t>(parameters_.nonmonotone_memory, norms.size());
         const double reference =
           *std::max_element(norms.end() - memory, norms.end());
-        double       alpha     = jumps_to_and_fro() ? damped_correction : 1.;
+        double       alpha     = first_trial();
         double       best      = std::numeric_limits<double>::infinity();
         unsigned int n_refused = 0;
         std::string  last_refusal;
@@ -407,6 +430,8 @@ namespace NPT
       const NewtonProblem    &problem_;
       NewtonReport            report_;
       bool                    tangent_is_good_ = false;
+      unsigned int            n_shortened_ = 0; // in a row, by first_trial()
+      unsigned int            n_full_      = 0; // corrections that are to come
       Vector<double>         &x_;
       Vector<double>          r_, rhs_, dx_, x_trial_;
     };

@@ -115,7 +115,9 @@ namespace NPT
    * jump over the solution and back, with norms that fall by so little each
    * time that the iteration limit comes first. So the first trial is a quarter
    * of the correction where the largest of the last three norms is above three
-   * quarters of the largest of the three before.
+   * quarters of the largest of the three before. After three such corrections
+   * three are full in any case, since from a valley of the norm short ones
+   * alone do not lead out.
    *
    * With keep_tangent a tangent serves for several corrections of one call,
    * never for those of another: what a call returns depends on its arguments
