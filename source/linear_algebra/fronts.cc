@@ -3,16 +3,15 @@
 
 #include <npt_dealii/linear_algebra/fronts.h>
 
+#include <deal.II/lac/lapack_templates.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+// What deal.II does not declare.
 extern "C"
 {
-  void
-  dgetrf_(const int *, const int *, double *, const int *, int *, int *);
-  void
-  dpotrf_(const char *, const int *, double *, const int *, int *);
   void
   dlaswp_(const int *,
           double *,
@@ -31,43 +30,6 @@ extern "C"
          const double *,
          const double *,
          const int *,
-         double *,
-         const int *);
-  void
-  dgemm_(const char *,
-         const char *,
-         const int *,
-         const int *,
-         const int *,
-         const double *,
-         const double *,
-         const int *,
-         const double *,
-         const int *,
-         const double *,
-         double *,
-         const int *);
-  void
-  dsyrk_(const char *,
-         const char *,
-         const int *,
-         const int *,
-         const double *,
-         const double *,
-         const int *,
-         const double *,
-         double *,
-         const int *);
-  void
-  dgemv_(const char *,
-         const int *,
-         const int *,
-         const double *,
-         const double *,
-         const int *,
-         const double *,
-         const int *,
-         const double *,
          double *,
          const int *);
   void
@@ -215,7 +177,8 @@ namespace NPT
       [this](const Front &front, double *columns, double *contribution) {
         const int n = front.n, m = front.m, n_changed = m - n;
         int       info = 0;
-        dgetrf_(&n, &n, columns, &m, exchanges.data() + front.first, &info);
+        dealii::getrf(
+          &n, &n, columns, &m, exchanges.data() + front.first, &info);
         if (info != 0)
           return false;
         if (n_changed == 0)
@@ -238,19 +201,19 @@ namespace NPT
                &m);
         if (!is_within_growth(columns + n, n_changed, n, m))
           return false;
-        dgemm_("N",
-               "N",
-               &n_changed,
-               &n_changed,
-               &n,
-               &minus,
-               columns + n,
-               &m,
-               rows,
-               &n,
-               &zero,
-               contribution,
-               &n_changed);
+        dealii::gemm("N",
+                     "N",
+                     &n_changed,
+                     &n_changed,
+                     &n,
+                     &minus,
+                     columns + n,
+                     &m,
+                     rows,
+                     &n,
+                     &zero,
+                     contribution,
+                     &n_changed);
         return true;
       });
   }
@@ -265,7 +228,7 @@ namespace NPT
       values, [](const Front &front, double *columns, double *contribution) {
         const int n = front.n, m = front.m, n_changed = m - n;
         int       info = 0;
-        dpotrf_("L", &n, columns, &m, &info);
+        dealii::potrf("L", &n, columns, &m, &info);
         if (info != 0)
           return false;
         if (n_changed == 0)
@@ -281,16 +244,16 @@ namespace NPT
                &m,
                columns + n,
                &m);
-        dsyrk_("L",
-               "N",
-               &n_changed,
-               &n,
-               &minus,
-               columns + n,
-               &m,
-               &zero,
-               contribution,
-               &n_changed);
+        dealii::syrk("L",
+                     "N",
+                     &n_changed,
+                     &n,
+                     &minus,
+                     columns + n,
+                     &m,
+                     &zero,
+                     contribution,
+                     &n_changed);
         return true;
       });
   }
@@ -316,17 +279,17 @@ namespace NPT
           "L", "N", is_symmetric ? "N" : "U", &n, columns, &m, pivots, &one);
         if (n_changed == 0)
           continue;
-        dgemv_("N",
-               &n_changed,
-               &n,
-               &plus,
-               columns + n,
-               &m,
-               pivots,
-               &one,
-               &zero,
-               change,
-               &one);
+        dealii::gemv("N",
+                     &n_changed,
+                     &n,
+                     &plus,
+                     columns + n,
+                     &m,
+                     pivots,
+                     &one,
+                     &zero,
+                     change,
+                     &one);
         for (int r = 0; r < n_changed; ++r)
           y[front.changed[r]] -= change[r];
       }
@@ -341,29 +304,29 @@ namespace NPT
             for (int r = 0; r < n_changed; ++r)
               change[r] = y[front->changed[r]];
             if (is_symmetric)
-              dgemv_("T",
-                     &n_changed,
-                     &n,
-                     &minus,
-                     columns + n,
-                     &m,
-                     change,
-                     &one,
-                     &plus,
-                     pivots,
-                     &one);
+              dealii::gemv("T",
+                           &n_changed,
+                           &n,
+                           &minus,
+                           columns + n,
+                           &m,
+                           change,
+                           &one,
+                           &plus,
+                           pivots,
+                           &one);
             else
-              dgemv_("N",
-                     &n,
-                     &n_changed,
-                     &minus,
-                     columns + std::size_t(n) * m,
-                     &n,
-                     change,
-                     &one,
-                     &plus,
-                     pivots,
-                     &one);
+              dealii::gemv("N",
+                           &n,
+                           &n_changed,
+                           &minus,
+                           columns + std::size_t(n) * m,
+                           &n,
+                           change,
+                           &one,
+                           &plus,
+                           pivots,
+                           &one);
           }
         if (is_symmetric)
           dtrsv_("L", "T", "N", &n, columns, &m, pivots, &one);
