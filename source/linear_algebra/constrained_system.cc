@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Assembly in the independent unknowns.
 
+#include <npt_dealii/base/simd_clones.h>
 #include <npt_dealii/linear_algebra/constrained_system.h>
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -319,6 +321,58 @@ namespace NPT
 
 
 
+  namespace
+  {
+    NPT_SIMD_CLONES void
+    add_multiple(const double      factor,
+                 const double     *from,
+                 const std::size_t n,
+                 double           *to)
+    {
+      DEAL_II_OPENMP_SIMD_PRAGMA
+      for (std::size_t i = 0; i < n; ++i)
+        to[i] += factor * from[i];
+    }
+
+
+
+    // to[j][i] = from[i][j], block by block, so that neither is read or written
+    // far apart.
+    void
+    transpose(const double     *from,
+              const std::size_t n_rows,
+              const std::size_t n_columns,
+              double           *to)
+    {
+      constexpr std::size_t block = 8;
+      for (std::size_t i = 0; i < n_rows; i += block)
+        for (std::size_t j = 0; j < n_columns; j += block)
+          for (std::size_t k = i; k < std::min(i + block, n_rows); ++k)
+            for (std::size_t l = j; l < std::min(j + block, n_columns); ++l)
+              to[l * n_rows + k] = from[k * n_columns + l];
+    }
+  } // namespace
+
+
+
+  // sums = C^T rows, where C has the coefficients of the group.
+  void
+  ConstrainedSystem::sum_rows(const Group         &group,
+                              const double        *rows,
+                              const std::size_t    length,
+                              std::vector<double> &sums)
+  {
+    sums.assign(group.columns.size() * length, 0.);
+    for (std::size_t k = 0; k < group.local.size(); ++k)
+      {
+        double       *target = &sums[group.local[k] * length];
+        const double *row    = rows + group.unknown[k] * length;
+        add_multiple(group.coefficient[k], row, length, target);
+      }
+  }
+
+
+
   void
   ConstrainedSystem::add(const Group               &group,
                          const std::vector<double> &K,
@@ -331,26 +385,12 @@ namespace NPT
     const double *coefficient = group.coefficient.data();
     if (!group.is_permutation)
       {
-        // (C^T K) C in two sweeps.
-        const std::size_t n_entries = group.local.size();
-        rows_condensed_.assign(n_m * n, 0.);
-        for (std::size_t k = 0; k < n_entries; ++k)
-          {
-            const double  c      = group.coefficient[k];
-            double       *target = &rows_condensed_[group.local[k] * n];
-            const double *row    = &K[group.unknown[k] * n];
-            for (std::size_t b = 0; b < n; ++b)
-              target[b] += c * row[b];
-          }
-        condensed_.assign(n_m * n_m, 0.);
-        for (std::size_t m = 0; m < n_m; ++m)
-          {
-            double       *target = &condensed_[m * n_m];
-            const double *row    = &rows_condensed_[m * n];
-            for (std::size_t k = 0; k < n_entries; ++k)
-              target[group.local[k]] +=
-                group.coefficient[k] * row[group.unknown[k]];
-          }
+        // C^T K C in two sweeps over rows, the first over those of K^T.
+        transposed_.resize(std::max(n_m, n) * n);
+        transpose(K.data(), n, n, transposed_.data());
+        sum_rows(group, transposed_.data(), n, rows_condensed_);
+        transpose(rows_condensed_.data(), n_m, n, transposed_.data());
+        sum_rows(group, transposed_.data(), n_m, condensed_);
         for (std::size_t m = order_.size(); m < n_m; ++m)
           {
             order_.push_back(m);

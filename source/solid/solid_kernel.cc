@@ -2,19 +2,10 @@
 // Defines the cell kernel of a solid; its inner loops are the hot spot of the
 // program.
 
+#include <npt_dealii/base/simd_clones.h>
 #include <npt_dealii/solid/solid_kernel.h>
 
 #include <algorithm>
-
-// One binary for every machine: the loader picks the version that the
-// processor can run. Fused multiply-adds of four numbers reach two thirds of
-// the peak of a processor with AVX2. ("avx2,fma" would be two versions, of
-// which the loader takes the one without fused operations.)
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-#  define NPT_SIMD_CLONES __attribute__((target_clones("fma", "default")))
-#else
-#  define NPT_SIMD_CLONES
-#endif
 
 namespace NPT
 {

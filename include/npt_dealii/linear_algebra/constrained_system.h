@@ -184,6 +184,11 @@ namespace NPT
     make_group(const std::vector<unsigned int> &unknowns, Group &group) const;
     bool
     find_positions(Group &group) const;
+    static void
+    sum_rows(const Group         &group,
+             const double        *rows,
+             const std::size_t    length,
+             std::vector<double> &sums);
     void
     add(const Group &group, const std::vector<double> &K, const double factor);
 
@@ -212,9 +217,9 @@ namespace NPT
     std::vector<bool>                   same_as_previous_; // columns, per row
     Group                               group_; // of add() without registration
     mutable std::vector<int>            place_; // per independent unknown
-    std::vector<double>                 rows_condensed_, condensed_;
-    std::vector<int>                    order_; // identity, where C is applied
-    std::vector<double>                 ones_;
+    std::vector<double> transposed_, rows_condensed_, condensed_;
+    std::vector<int>    order_; // identity, where C is applied
+    std::vector<double> ones_;
 
     std::vector<bool>         prescribed_;
     std::vector<unsigned int> free_;

@@ -3,6 +3,10 @@
 
 #include <npt_dealii/problems/plate_test/mean_height.h>
 
+#include <deal.II/lac/full_matrix.h>
+
+#include <cmath>
+
 namespace NPT
 {
   using dealii::Tensor;
@@ -40,58 +44,116 @@ namespace NPT
 
 
 
-  MeanHeight::Circle
+  // With r = sqrt(1 + k q) = 1 + k d the derivatives of d(q, k) follow from
+  // q = 2 d + k d^2, also at k = 0.
+  MeanHeight::Height::Height(const std::array<double, n_circle> &circle,
+                             const Tensor<1, dim>               &x)
+  {
+    const auto [k, b1, b2] = circle;
+    const double along     = b1 * x[0] + b2 * x[1];
+    const double square    = x[2] * x[2] + along * along;
+    const double q         = 2. * x[2] + k * square;
+    const double r         = std::sqrt(1. + k * q);
+    const double d         = q / (r + 1.);
+    const double d_q       = 0.5 / r;
+    const double d_k       = -d_q * d * d;
+    const double d_qq      = -k * d_q * d_q / r;
+    const double d_qk      = -d * (1. + r) * d_q * d_q / r;
+    const double d_kk      = d * d * d * (3. * r + 1.) * d_q * d_q / r;
+
+    // q and its derivatives; the variables are x, k, b.
+    constexpr unsigned int          at_k = dim, at_b = dim + 1;
+    const double                    b[] = {b1, b2};
+    std::array<double, n_variables> q_1{};
+    hessian          = {};
+    q_1[2]           = 2. + 2. * k * x[2];
+    q_1[at_k]        = square;
+    hessian[2][2]    = 2. * k;
+    hessian[2][at_k] = 2. * x[2];
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        q_1[i]                  = 2. * k * along * b[i];
+        q_1[at_b + i]           = 2. * k * along * x[i];
+        hessian[i][at_k]        = 2. * along * b[i];
+        hessian[at_k][at_b + i] = 2. * along * x[i];
+        for (unsigned int j = 0; j < 2; ++j)
+          {
+            hessian[i][j]               = 2. * k * b[i] * b[j];
+            hessian[at_b + i][at_b + j] = 2. * k * x[i] * x[j];
+            hessian[i][at_b + j] =
+              2. * k * (x[j] * b[i] + (i == j ? along : 0.));
+          }
+      }
+
+    // Above the diagonal first.
+    value = d;
+    for (unsigned int v = 0; v < n_variables; ++v)
+      {
+        gradient[v] = d_q * q_1[v] + (v == at_k ? d_k : 0.);
+        for (unsigned int w = v; w < n_variables; ++w)
+          hessian[v][w] = d_q * hessian[v][w] + d_qq * q_1[v] * q_1[w] +
+                          (w == at_k ? d_qk * q_1[v] : 0.) +
+                          (v == at_k ? d_qk * q_1[w] : 0.) +
+                          (v == at_k && w == at_k ? d_kk : 0.);
+      }
+    for (unsigned int v = 0; v < n_variables; ++v)
+      for (unsigned int w = 0; w < v; ++w)
+        hessian[v][w] = hessian[w][v];
+  }
+
+
+
+  std::array<SecondOrder<MacroModes::n>, MeanHeight::n_circle>
   MeanHeight::circle(const Vector<double> &u) const
   {
     const CylinderMotion::Circle of_H =
       motion_->circle(gradients_of(cell_->macro(), u));
-    const auto as_number = [](const SecondOrder<MacroModes::n> &a) {
-      Number result = Number::constant(a.value);
-      for (unsigned int n = 0; n < MacroModes::n; ++n)
+    return {{of_H.curvature, of_H.direction[0], of_H.direction[1]}};
+  }
+
+
+
+  void
+  MeanHeight::positions(const unsigned int    c,
+                        const Vector<double> &u,
+                        std::vector<double>  &x) const
+  {
+    const unsigned int n        = cell_->bodies().gradients()[c].n_functions;
+    const auto        &unknowns = cell_->bodies().cell_unknowns(c);
+    const auto        &X        = cell_->bodies().space().control_points();
+    x.resize(dim * n);
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int a = 0; a < n; ++a)
         {
-          result.gradient[3 + n] = a.gradient[n];
-          for (unsigned int m = 0; m < MacroModes::n; ++m)
-            result.hessian[3 + n][3 + m] = a.hessian[n][m];
+          const unsigned int k = unknowns[i * n + a];
+          x[i * n + a]         = X[k / dim][i] + u[k];
         }
-      return result;
-    };
-    return {as_number(of_H.curvature),
-            {as_number(of_H.direction[0]), as_number(of_H.direction[1])}};
   }
 
 
 
-  MeanHeight::Number
-  MeanHeight::height(const Circle &circle, const Tensor<1, 3> &x) const
+  namespace
   {
-    const Number x3    = Number::variable(2, x[2]);
-    const Number along = circle.direction[0] * Number::variable(0, x[0]) +
-                         circle.direction[1] * Number::variable(1, x[1]);
-    const Number &k   = circle.curvature;
-    const Number  q   = 2. * x3 + k * (x3 * x3 + along * along);
-    const Number  one = Number::constant(1.);
-    return q * inverse(square_root(one + k * q) + one);
-  }
+    std::array<double, MeanHeight::n_circle>
+    values_of(const std::array<SecondOrder<MacroModes::n>, MeanHeight::n_circle>
+                &circle)
+    {
+      return {{circle[0].value, circle[1].value, circle[2].value}};
+    }
 
-
-
-  Tensor<1, 3>
-  MeanHeight::position(const unsigned int    c,
-                       const unsigned int    q,
-                       const Vector<double> &u) const
-  {
-    const CellGradients &cell     = cell_->bodies().gradients()[c];
-    const auto          &unknowns = cell_->bodies().cell_unknowns(c);
-    const auto          &X        = cell_->bodies().space().control_points();
-    Tensor<1, 3>         x;
-    for (unsigned int a = 0; a < cell.n_functions; ++a)
+    // sum_A R_A x_A, by component.
+    Tensor<1, 3>
+    interpolate(const double              *R,
+                const unsigned int         n,
+                const std::vector<double> &x)
+    {
+      Tensor<1, 3> sum;
       for (unsigned int i = 0; i < 3; ++i)
-        {
-          const unsigned int k = unknowns[i * cell.n_functions + a];
-          x[i] += cell.values[q * cell.n_functions + a] * (X[k / 3][i] + u[k]);
-        }
-    return x;
-  }
+        for (unsigned int a = 0; a < n; ++a)
+          sum[i] += R[a] * x[i * n + a];
+      return sum;
+    }
+  } // namespace
 
 
 
@@ -107,15 +169,18 @@ namespace NPT
   MeanHeight::value(const Vector<double> &u) const
   {
     const DeformableBodies &bodies = cell_->bodies();
-    const Circle            at     = circle(u);
-    double                  sum    = 0;
+    const auto              at     = values_of(circle(u));
+    std::vector<double>     x;
+    double                  sum = 0;
     for (unsigned int c = 0; c < bodies.gradients().size(); ++c)
       if (bodies.symmetry_weight(c) > 0)
         {
           const CellGradients &cell = bodies.gradients()[c];
+          const unsigned int   n    = cell.n_functions;
+          positions(c, u, x);
           for (unsigned int q = 0; q < cell.n_points; ++q)
             sum += bodies.symmetry_weight(c) * cell.jxw[q] *
-                   height(at, position(c, q, u)).value;
+                   Height(at, interpolate(&cell.values[q * n], n, x)).value;
         }
     return sum / volume_;
   }
@@ -130,28 +195,40 @@ namespace NPT
       return;
     const DeformableBodies &bodies = cell_->bodies();
     const MacroUnknowns    &macro  = cell_->macro();
-    const Circle            at     = circle(u);
+    const auto              of_H   = circle(u);
+    const auto              at     = values_of(of_H);
+    const double            force  = this->force(u);
+    std::vector<double>     x, on_functions;
+    double                  height = 0, on_circle[n_circle] = {};
     for (unsigned int c = 0; c < bodies.gradients().size(); ++c)
       if (bodies.symmetry_weight(c) > 0)
         {
           const CellGradients &cell     = bodies.gradients()[c];
+          const unsigned int   n        = cell.n_functions;
           const auto          &unknowns = bodies.cell_unknowns(c);
+          positions(c, u, x);
+          on_functions.assign(dim * n, 0.);
           for (unsigned int q = 0; q < cell.n_points; ++q)
             {
-              const double share =
+              const double *R = &cell.values[q * n];
+              const double  share =
                 bodies.symmetry_weight(c) * cell.jxw[q] / volume_;
-              const Number d = height(at, position(c, q, u));
-              residual[macro.support()] += stiffness_ * share * d.value;
-              const double force = this->force(u) * share;
-              for (unsigned int n = 0; n < MacroModes::n; ++n)
-                residual[macro.mode(n)] += force * d.gradient[3 + n];
-              for (unsigned int i = 0; i < 3; ++i)
-                for (unsigned int a = 0; a < cell.n_functions; ++a)
-                  residual[unknowns[i * cell.n_functions + a]] +=
-                    force * d.gradient[i] *
-                    cell.values[q * cell.n_functions + a];
+              const Height d(at, interpolate(R, n, x));
+              height += share * d.value;
+              for (unsigned int m = 0; m < n_circle; ++m)
+                on_circle[m] += force * share * d.gradient[dim + m];
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int a = 0; a < n; ++a)
+                  on_functions[i * n + a] +=
+                    force * share * d.gradient[i] * R[a];
             }
+          for (unsigned int k = 0; k < dim * n; ++k)
+            residual[unknowns[k]] += on_functions[k];
         }
+    residual[macro.support()] += stiffness_ * height;
+    for (unsigned int n = 0; n < MacroModes::n; ++n)
+      for (unsigned int m = 0; m < n_circle; ++m)
+        residual[macro.mode(n)] += on_circle[m] * of_H[m].gradient[n];
   }
 
 
@@ -163,63 +240,101 @@ namespace NPT
     if (cell_ == nullptr)
       return;
     const DeformableBodies &bodies = cell_->bodies();
-    const Circle            at     = circle(u);
-    std::vector<double>     K;
+    const auto              of_H   = circle(u);
+    const auto              at     = values_of(of_H);
+    const double            force  = this->force(u);
+    std::vector<double>     x, K;
     for (unsigned int c = 0; c < groups_.size(); ++c)
       {
         if (groups_[c] == dealii::numbers::invalid_unsigned_int)
           continue;
         const CellGradients &cell = bodies.gradients()[c];
-        const unsigned int   size = 3 * cell.n_functions + MacroModes::n + 1;
+        const unsigned int   n = cell.n_functions, n_q = cell.n_points;
+        positions(c, u, x);
+        std::vector<Height> d;
+        Vector<double>      share(n_q);
+        for (unsigned int q = 0; q < n_q; ++q)
+          {
+            d.emplace_back(at, interpolate(&cell.values[q * n], n, x));
+            share[q] = bodies.symmetry_weight(c) * cell.jxw[q] / volume_;
+          }
+
+        // Unknowns in this order: positions by component, H1..H6, s.
+        const unsigned int first_H = dim * n, s = first_H + MacroModes::n,
+                           size = s + 1;
         K.assign(size * size, 0.);
-        for (unsigned int q = 0; q < cell.n_points; ++q)
-          add_point(height(at, position(c, q, u)),
-                    bodies.symmetry_weight(c) * cell.jxw[q] / volume_,
-                    force(u),
-                    cell.n_functions,
-                    &cell.values[q * cell.n_functions],
-                    K);
+        const auto set = [&](const unsigned int row,
+                             const unsigned int column,
+                             const double       value) {
+          K[row * size + column] = K[column * size + row] = value;
+        };
+
+        // int F_A F_B w and int F_A w, for functions F and a weight w.
+        const dealii::FullMatrix<double> F(n_q, n, cell.values.data());
+        dealii::FullMatrix<double>       weighted(n_q, n), matrix(n, n);
+        Vector<double>                   weight(n_q), integrals(n);
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = i; j < dim; ++j)
+            {
+              for (unsigned int q = 0; q < n_q; ++q)
+                for (unsigned int a = 0; a < n; ++a)
+                  weighted(q, a) =
+                    force * share[q] * d[q].hessian[i][j] * F(q, a);
+              F.Tmmult(matrix, weighted);
+              for (unsigned int a = 0; a < n; ++a)
+                for (unsigned int b = 0; b < n; ++b)
+                  set(i * n + a, j * n + b, matrix(a, b));
+            }
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            for (unsigned int m = 0; m < n_circle; ++m)
+              {
+                for (unsigned int q = 0; q < n_q; ++q)
+                  weight[q] = force * share[q] * d[q].hessian[i][dim + m];
+                F.Tvmult(integrals, weight);
+                for (unsigned int a = 0; a < n; ++a)
+                  for (unsigned int k = 0; k < MacroModes::n; ++k)
+                    set(i * n + a,
+                        first_H + k,
+                        K[(i * n + a) * size + first_H + k] +
+                          integrals[a] * of_H[m].gradient[k]);
+              }
+            for (unsigned int q = 0; q < n_q; ++q)
+              weight[q] = stiffness_ * share[q] * d[q].gradient[i];
+            F.Tvmult(integrals, weight);
+            for (unsigned int a = 0; a < n; ++a)
+              set(i * n + a, s, integrals[a]);
+          }
+
+        // The sums of all points as a function of H, by the chain rule.
+        double slope[n_circle] = {}, curvature[n_circle][n_circle] = {};
+        for (unsigned int q = 0; q < n_q; ++q)
+          for (unsigned int m = 0; m < n_circle; ++m)
+            {
+              slope[m] += share[q] * d[q].gradient[dim + m];
+              for (unsigned int o = 0; o < n_circle; ++o)
+                curvature[m][o] += share[q] * d[q].hessian[dim + m][dim + o];
+            }
+        for (unsigned int k = 0; k < MacroModes::n; ++k)
+          {
+            double with_s = 0;
+            for (unsigned int m = 0; m < n_circle; ++m)
+              with_s += stiffness_ * slope[m] * of_H[m].gradient[k];
+            set(first_H + k, s, with_s);
+            for (unsigned int l = 0; l < MacroModes::n; ++l)
+              {
+                double sum = 0;
+                for (unsigned int m = 0; m < n_circle; ++m)
+                  {
+                    sum += slope[m] * of_H[m].hessian[k][l];
+                    for (unsigned int o = 0; o < n_circle; ++o)
+                      sum += curvature[m][o] * of_H[m].gradient[k] *
+                             of_H[o].gradient[l];
+                  }
+                K[(first_H + k) * size + first_H + l] = force * sum;
+              }
+          }
         system.add(groups_[c], K);
       }
-  }
-
-
-
-  void
-  MeanHeight::add_point(const Number        &d,
-                        const double         share,
-                        const double         force,
-                        const unsigned int   n_functions,
-                        const double        *R,
-                        std::vector<double> &K) const
-  {
-    // The unknowns of a cell by the variable of d that they move, and by how
-    // much they move it: three times all functions, then H1..H6.
-    const double       one   = 1.;
-    const unsigned int size  = 3 * n_functions + MacroModes::n + 1;
-    const auto         first = [&](const unsigned int variable) {
-      return variable < dim ? variable * n_functions :
-                                      dim * n_functions + variable - dim;
-    };
-    const auto n_moving = [&](const unsigned int variable) {
-      return variable < dim ? n_functions : 1;
-    };
-    for (unsigned int v = 0; v < n_variables; ++v)
-      for (unsigned int a = 0; a < n_moving(v); ++a)
-        {
-          const double       weight = share * (v < dim ? R[a] : 1.);
-          const unsigned int row    = first(v) + a;
-          const double       edge   = stiffness_ * weight * d.gradient[v];
-          K[row * size + size - 1] += edge;
-          K[(size - 1) * size + row] += edge;
-          for (unsigned int w = 0; w < n_variables; ++w)
-            {
-              const double  factor = force * weight * d.hessian[v][w];
-              const double *move   = w < dim ? R : &one;
-              double       *target = &K[row * size + first(w)];
-              for (unsigned int b = 0; b < n_moving(w); ++b)
-                target[b] += factor * move[b];
-            }
-        }
   }
 } // namespace NPT

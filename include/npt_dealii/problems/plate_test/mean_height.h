@@ -4,9 +4,11 @@
 #ifndef npt_dealii_problems_plate_test_mean_height_h
 #define npt_dealii_problems_plate_test_mean_height_h
 
+#include <npt_dealii/base/second_order.h>
 #include <npt_dealii/homogenization/cylinder_motion.h>
 #include <npt_dealii/problems/plate_test/plate_cell.h>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -32,6 +34,22 @@ namespace NPT
   class MeanHeight
   {
   public:
+    static constexpr unsigned int dim      = 3;
+    static constexpr unsigned int n_circle = 3; ///< k, b_1, b_2
+
+    /// d at x, and its derivatives with respect to x_1..x_3, k, b_1, b_2.
+    struct Height
+    {
+      static constexpr unsigned int n_variables = dim + n_circle;
+
+      Height(const std::array<double, n_circle> &circle,
+             const dealii::Tensor<1, dim>       &x);
+
+      double                                                   value;
+      std::array<double, n_variables>                          gradient;
+      std::array<std::array<double, n_variables>, n_variables> hessian;
+    };
+
     /// Nothing is held.
     MeanHeight() = default;
 
@@ -59,31 +77,14 @@ namespace NPT
                 ConstrainedSystem            &system) const;
 
   private:
-    static constexpr unsigned int dim         = 3;
-    static constexpr unsigned int n_variables = dim + MacroModes::n;
-    using Number = SecondOrder<n_variables>; // of x and H
-    struct Circle
-    {
-      Number curvature, direction[2];
-    };
-    Circle
+    // k, b_1, b_2 as functions of H.
+    std::array<SecondOrder<MacroModes::n>, n_circle>
     circle(const dealii::Vector<double> &u) const;
-    Number
-    height(const Circle &circle, const dealii::Tensor<1, 3> &x) const;
-    // x at a quadrature point.
-    dealii::Tensor<1, 3>
-    position(const unsigned int            cell,
-             const unsigned int            q,
-             const dealii::Vector<double> &u) const;
-
-    // Share of a quadrature point in the matrix of its cell.
+    // Of the control points of a cell, by component.
     void
-    add_point(const Number        &d,
-              const double         share,
-              const double         force,
-              const unsigned int   n_functions,
-              const double        *R,
-              std::vector<double> &K) const;
+    positions(const unsigned int            cell,
+              const dealii::Vector<double> &u,
+              std::vector<double>          &x) const;
 
     const PlateCell              *cell_ = nullptr;
     std::optional<CylinderMotion> motion_;
