@@ -17,6 +17,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <ostream>
 
 namespace NPT
@@ -350,6 +351,14 @@ namespace NPT
     base_mesh_              = setting.coarser_mesh();
     Probes<SweepCase>      cases;
     std::vector<ErrorBars> bars;
+    // The last round of which all runs came to their ends.
+    struct Round
+    {
+      AccuracySetting        setting;
+      Probes<SweepCase>      cases;
+      std::vector<ErrorBars> bars;
+    };
+    std::optional<Round> complete;
     for (bool enough = false; !enough;)
       {
         screen_ << setting.describe() << " and its probes:" << std::endl;
@@ -362,6 +371,8 @@ namespace NPT
         for (const SweepCase *c : all_of(cases))
           if (c->result.status != "done" && failed == nullptr)
             failed = c;
+        if (failed == nullptr && !bars.empty())
+          complete = Round{setting, cases, bars};
         if (failed != nullptr && failed != &cases.main &&
             make_probes_finer(setting, failed == &cases.coarse))
           continue;
@@ -369,11 +380,18 @@ namespace NPT
                  worst(bars).relative <= target || !refine(setting, bars);
         if (!enough)
           continue;
-        write(cases, bars);
+        if (failed != nullptr && complete)
+          write(complete->cases, complete->bars);
+        else
+          write(cases, bars);
         if (failed != nullptr)
-          throw StageFailed("The run '" + failed->values[0].second + "', " +
-                            failed->folder +
-                            ", ended early: " + failed->result.message);
+          throw StageFailed(
+            "The run '" + failed->values[0].second + "', " + failed->folder +
+            ", ended early: " + failed->result.message +
+            (complete ? " Curves and bars are those of the round before, " +
+                          complete->setting.describe() + ", with a bar of " +
+                          percent(worst(complete->bars).relative) + "." :
+                        ""));
       }
     if (bars.empty())
       throw StageFailed("No load stage drives a component, so there is nothing "
