@@ -31,7 +31,7 @@ namespace NPT
 
     // An iteration that is about to converge may exceed its limit: what each
     // correction has to leave of the residual then, and what part of the limit.
-    constexpr double       promising_reduction = 0.5;
+    constexpr double       promising_reduction = 0.1;
     constexpr unsigned int part_beyond_limit   = 4; // a quarter
 
     // Of a kept tangent: how many corrections it may take to converge, by how
@@ -84,8 +84,8 @@ namespace NPT
                   "Maximum iterations",
                   max_iterations,
                   "Corrections after which the load step counts as "
-                  "failed [-]; a quarter more while each halves the "
-                  "residual.",
+                  "failed [-]; a quarter more while each leaves a "
+                  "tenth of the residual.",
                   Patterns::Integer(1, 1000));
     add_parameter(prm,
                   "Line search",

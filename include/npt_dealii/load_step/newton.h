@@ -131,7 +131,7 @@ namespace NPT
    *
    * Throws NewtonNotConverged with one of the reasons
    * - "iteration limit": after max_iterations corrections, or a quarter more
-   *   while each halves the residual,
+   *   while each leaves a tenth of the residual or less,
    * - "line search failed": no halving is accepted; x gives no descent,
    * - "active set cycling": the residual norms repeat with period 2 or 3
    *   within 1e-6,
