@@ -18,6 +18,7 @@
 // but the C library.
 
 #include <dlfcn.h>
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -41,7 +42,8 @@ namespace
   take_large_pages(char **argv)
   {
     const char *const name = "GLIBC_TUNABLES";
-    if (std::getenv(name) != nullptr)
+    // A privileged program is not told, however often it is started.
+    if (std::getenv(name) != nullptr || getauxval(AT_SECURE) != 0)
       return;
     setenv(name, "glibc.malloc.hugetlb=1", 1);
     execv("/proc/self/exe", argv);
