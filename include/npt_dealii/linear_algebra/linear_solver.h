@@ -83,8 +83,8 @@ namespace NPT
    * of the index arrays) is kept as long as CSRMatrix::pattern_id() stays the
    * same; the values are overwritten in place.
    *
-   * - automatic: on one process and up to 4000 unknowns Fronts, at three
-   *   quarters of the time of MUMPS with 1,316 unknowns; a matrix with pivots
+   * - automatic: on one process and up to 4000 unknowns Fronts, at two
+   *   thirds of the time of MUMPS with 1,316 unknowns; a matrix with pivots
    *   too small for them is left to MUMPS.
    *   Else MUMPS, the fastest one of the others in all sizes tried, up to
    *   76,000 unknowns. If it finds, before it takes it, that its factors need
