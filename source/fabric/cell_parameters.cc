@@ -8,6 +8,7 @@
 #include <npt_dealii/fabric/cell_parameters.h>
 #include <npt_dealii/fabric/named_weave.h>
 #include <npt_dealii/fabric/section_shape.h>
+#include <npt_dealii/fabric/woven_cell.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +55,20 @@ namespace NPT
                                                   "automatic"},
                                                  {SideContact::on, "on"},
                                                  {SideContact::off, "off"}};
+    return names;
+  }
+
+
+
+  template <>
+  const EnumNames<CellParameters::MirrorPlanes> &
+  enum_names<CellParameters::MirrorPlanes>()
+  {
+    using MirrorPlanes                         = CellParameters::MirrorPlanes;
+    static const EnumNames<MirrorPlanes> names = {{MirrorPlanes::automatic,
+                                                   "automatic"},
+                                                  {MirrorPlanes::yes, "true"},
+                                                  {MirrorPlanes::no, "false"}};
     return names;
   }
 
@@ -213,6 +228,17 @@ namespace NPT
                   "instead.");
     add_parameter(
       prm,
+      "Mirror planes",
+      mirror_planes,
+      "Use the mirror planes of the weave across its bundles as constraints: a "
+      "quarter of the cell is integrated instead of a half. They forbid H3 and "
+      "H6, whose resultants are zero then, and exclude states that break the "
+      "symmetry. automatic: true where the weave has them, no stage prescribes "
+      "H3, H6, n3 or n6 but as zero, and none compresses the fabric in its "
+      "plane, where it may shear by itself. false also without the Two-fold "
+      "axis.");
+    add_parameter(
+      prm,
       "Smooth closure",
       smooth_closure,
       "Join the end of a bundle to its continuation in the next cell, and "
@@ -301,11 +327,34 @@ namespace NPT
         if (!message.empty())
           throw InputError(message + " (subsection Cell).");
       }
+    if (mirror_planes == MirrorPlanes::yes)
+      {
+        const std::string obstacle = obstacle_to_mirror_planes();
+        if (!obstacle.empty())
+          throw InputError("Mirror planes is true, but " + obstacle +
+                           "; use automatic or false (subsection Cell).");
+      }
     if (n_layers > 1 && (type == "sub-unit cell" || type == "laminate"))
       throw InputError("Layers is " + std::to_string(n_layers) +
                        " with Type = " + type +
                        "; layers of fabric need a cell without glide plane, as "
                        "Type = primitive cell or automatic (subsection Cell).");
+  }
+
+
+
+  std::string
+  CellParameters::obstacle_to_mirror_planes() const
+  {
+    if (type == "laminate")
+      return "a laminate is no weave";
+    if (n_layers > 1)
+      return "layers of fabric have no mirror planes in common";
+    if (!two_fold_axis)
+      return "Two-fold axis is false, which follows from two mirror planes";
+    if (WovenLattice(*this).turns(false, true).empty())
+      return "the weave '" + weave + "' has none across its bundles";
+    return "";
   }
 
 

@@ -6,11 +6,14 @@
 #include <npt_dealii/fabric/weave_pattern.h>
 #include <npt_dealii/fabric/woven_cell.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace NPT
 {
   using dealii::Point;
+  using dealii::Tensor;
 
   namespace
   {
@@ -58,16 +61,41 @@ namespace NPT
   FabricCell::symmetry_weight(const unsigned int bundle,
                               const Point<3>    &Y) const
   {
-    const auto &mirror = layout_.bundles[bundle].mirror;
-    if (!mirror)
-      return 1;
-    if (mirror->bundle != bundle)
-      return mirror->bundle > bundle ? 2 : 0;
-    const Point<3> image     = mirror->operation(Y);
-    const double   tolerance = 1e-8 * parameters_.crossing_spacing.smaller();
-    for (unsigned int i = 0; i < 2; ++i)
-      if (std::abs(Y[i] - image[i]) > tolerance)
-        return Y[i] > image[i] ? 2 : 0;
-    return 1;
+    const FiberBundle &b         = layout_.bundles[bundle];
+    const auto         direction = [](const FiberBundle &of) {
+      return of.family == FiberBundle::Family::weft ? 1 : 0;
+    };
+    const double tolerance = 1e-8 * parameters_.crossing_spacing.smaller();
+    // One image for each way of turning. Positive: the image is the better one.
+    std::vector<Tensor<1, 3>> turned;
+    unsigned int              n_same = 1;
+    for (const FiberBundle::Counterpart &counterpart : b.counterparts)
+      {
+        const SymmetryOperation &g     = counterpart.operation;
+        const double             along = Y[direction(b)];
+        if (along < counterpart.begin - tolerance ||
+            along > counterpart.end + tolerance ||
+            std::find(turned.begin(), turned.end(), g.Q) != turned.end())
+          continue;
+        turned.push_back(g.Q);
+        const FiberBundle &c     = layout_.bundles[counterpart.bundle];
+        const Point<3>     image = g(Y);
+        // Nearer to the middle, smaller number, larger Y1, larger Y2.
+        const double advantages[] = {std::abs(along - b.middle) -
+                                       std::abs(image[direction(c)] - c.middle),
+                                     static_cast<double>(bundle) -
+                                       static_cast<double>(counterpart.bundle),
+                                     image[0] - Y[0],
+                                     image[1] - Y[1]};
+        const auto   decisive =
+          std::find_if(std::begin(advantages),
+                       std::end(advantages),
+                       [&](const double x) { return std::abs(x) > tolerance; });
+        if (decisive == std::end(advantages))
+          ++n_same;
+        else if (*decisive > 0.)
+          return 0;
+      }
+    return (1 + turned.size()) / n_same;
   }
 } // namespace NPT

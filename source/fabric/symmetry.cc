@@ -32,6 +32,19 @@ namespace NPT
 
 
   SymmetryOperation
+  SymmetryOperation::mirror_plane(const std::string  &name,
+                                  const unsigned int  direction,
+                                  const Tensor<1, 3> &a)
+  {
+    AssertIndexRange(direction, 2);
+    SymmetryOperation result = translation(name, a);
+    result.Q[direction]      = -1.;
+    return result;
+  }
+
+
+
+  SymmetryOperation
   SymmetryOperation::two_fold_axis()
   {
     return {"2-fold axis along Y3",

@@ -85,6 +85,45 @@ namespace NPT
 
 
 
+  std::vector<SymmetryOperation>
+  WovenLattice::turns(const bool with_axis, const bool with_mirrors) const
+  {
+    std::vector<SymmetryOperation> result;
+    if (with_axis)
+      result.push_back(SymmetryOperation::two_fold_axis());
+    // Bundle i lies at (i - origin / 2) times the spacing. A mirror through
+    // the axis is best: no shift of the repeat makes another one of it.
+    const std::array<int, 2> origin =
+      axis_.value_or(std::array<int, 2>{{0, 0}}); // twice
+    const auto add_mirror = [&](const bool warp) {
+      const int          n_parallel = warp ? weave_.n_warp() : weave_.n_weft();
+      const int          n_along    = warp ? weave_.n_weft() : weave_.n_warp();
+      const unsigned int across     = warp ? 1 : 0;
+      const int          first      = origin[warp ? 0 : 1];
+      for (int m = 0; m < (translations_of_repeat_only_ ? 1 : n_along); ++m)
+        for (int k = 0; k < (translations_of_repeat_only_ ? 1 : n_parallel);
+             ++k)
+          if (weave_.is_mirror(warp, first + k, m))
+            {
+              Tensor<1, 3> a;
+              a[across]     = k * spacing_[across];
+              a[1 - across] = m * spacing_[1 - across];
+              result.push_back(
+                SymmetryOperation::mirror_plane(warp ? "mirror plane along Y1" :
+                                                       "mirror plane along Y2",
+                                                across,
+                                                a));
+              return;
+            }
+    };
+    for (const bool warp : {true, false})
+      if (with_mirrors)
+        add_mirror(warp);
+    return result;
+  }
+
+
+
   namespace
   {
     NURBSPatch<3>
@@ -273,6 +312,8 @@ namespace NPT
       {
         layout_.has_two_fold_axis =
           cell.two_fold_axis && lattice_.axis().has_value();
+        layout_.has_mirror_planes =
+          cell.mirror_planes == CellParameters::MirrorPlanes::yes;
         add_bundles(true);
         add_bundles(false);
         add_operations();
@@ -312,6 +353,7 @@ namespace NPT
               is_warp ? e1 : e2,
               static_cast<unsigned int>(layout_.bundles.size())};
             bundle.n_crossings    = s.n_crossings;
+            bundle.middle         = s.begin + 0.5 * s.length;
             bundle.axis_parameter = family.axis_parameter(s);
             layout_.bundles.push_back(bundle);
             strands_.push_back(s);
@@ -351,31 +393,55 @@ namespace NPT
         for (const SymmetryOperation &g : shifts_)
           if (!g.name.empty() && relates_points(g))
             layout_.operations.push_back(g);
-        if (!layout_.has_two_fold_axis)
-          return;
+        for (const SymmetryOperation &turn :
+             lattice_.turns(layout_.has_two_fold_axis,
+                            layout_.has_mirror_planes))
+          for (const SymmetryOperation &shift : shifts_)
+            {
+              SymmetryOperation g = turn.then(shift);
+              g.name              = turn.name;
+              if (!relates_points(g))
+                continue;
+              layout_.operations.push_back(g);
+              if (!g.turns_over())
+                add_counterparts(g);
+            }
+      }
 
-        const SymmetryOperation axis = SymmetryOperation::two_fold_axis();
-        const double L_sum   = lattice_.spacing(0) + lattice_.spacing(1);
-        auto        &bundles = layout_.bundles;
-        for (const SymmetryOperation &shift : shifts_)
-          {
-            SymmetryOperation g = axis.then(shift);
-            g.name              = shift.name.empty() ? axis.name : shift.name;
-            if (!relates_points(g))
-              continue;
-            layout_.operations.push_back(g);
-            if (g.turns_over())
-              continue;
-            // Where it takes whole bundles: the middle of one to that of
-            // another.
-            for (unsigned int b = 0; b < bundles.size(); ++b)
-              for (unsigned int c = 0; c < bundles.size(); ++c)
-                if (bundles[b].family == bundles[c].family &&
-                    g(middle(bundles[b], strands_[b]))
-                        .distance(middle(bundles[c], strands_[c])) <
-                      1e-9 * L_sum)
-                  bundles[b].mirror = FiberBundle::Mirror{c, g};
-          }
+      // The pieces of bundles that an operation takes to bundles of the cell.
+      void
+      add_counterparts(const SymmetryOperation &g)
+      {
+        const double tolerance =
+          1e-6 * std::min(lattice_.spacing(0), lattice_.spacing(1));
+        auto &bundles = layout_.bundles;
+        for (unsigned int b = 0; b < bundles.size(); ++b)
+          for (unsigned int c = 0; c < bundles.size(); ++c)
+            {
+              const int along =
+                bundles[b].family == FiberBundle::Family::warp ? 0 : 1;
+              const Point<3> image = g(middle(bundles[b], strands_[b]));
+              if (bundles[b].family != bundles[c].family ||
+                  std::abs(image[1 - along] - strands_[c].position) > tolerance)
+                continue;
+              // The ends of c, taken back to b: Q is its own inverse.
+              const double from = g.Q[along] * (strands_[c].begin - g.a[along]);
+              const double to   = from + g.Q[along] * strands_[c].length;
+              const double begin =
+                std::max(strands_[b].begin, std::min(from, to));
+              const double end =
+                std::min(strands_[b].begin + strands_[b].length,
+                         std::max(from, to));
+              const bool is_whole =
+                end - begin > strands_[b].length - tolerance &&
+                end - begin > strands_[c].length - tolerance;
+              if (is_whole ||
+                  (parameters_.integrate_pieces && end > begin + tolerance))
+                {
+                  bundles[b].counterparts.push_back({c, g, begin, end});
+                  layout_.integrates_pieces |= !is_whole;
+                }
+            }
       }
 
       // A rigid motion w = e_i of a strand survives unless an operation maps

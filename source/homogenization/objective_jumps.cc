@@ -120,6 +120,7 @@ namespace NPT
   {
     const Gradients                          H = gradients_of(macro_, u);
     std::vector<CylinderMotion::Derivatives> result;
+    result.reserve(places_.size());
     for (const Tensor<1, 2> &p : places_)
       result.push_back(motion_.derivatives_at(H, p));
     return result;
@@ -257,6 +258,8 @@ namespace NPT
       {
         const FramedPoint &point = points_[k];
         const Tensor<1, 3> f     = entries_of(forces, point.unknown);
+        if (f.norm_square() == 0.)
+          continue; // most images, and what symmetry leaves out
         const Tensor<1, 3> z =
           reference_in_frame(point) + entries_of(v, point.unknown);
         matrix.assign(size * size, 0.);
@@ -280,6 +283,32 @@ namespace NPT
             }
         visit(k, matrix);
       }
+  }
+
+
+
+  Gradients
+  ObjectiveJumps::work_with_gradients(const Vector<double> &u,
+                                      const Vector<double> &forces) const
+  {
+    Vector<double>      v;
+    std::vector<double> rows;
+    invert(u, v);
+    gradients(v, rows);
+    // Rows of points have v_1..v_3 and H1..H6, all others one entry.
+    std::vector<bool> is_of_point(macro_.n_unknowns(), false);
+    for (const FramedPoint &point : points_)
+      for (unsigned int i = 0; i < 3; ++i)
+        is_of_point[point.unknown + i] = true;
+    Gradients   work{};
+    std::size_t at = 0;
+    for (unsigned int k = 0; k < is_of_point.size(); ++k)
+      {
+        at += is_of_point[k] ? 3 : 1;
+        for (unsigned int n = 0; is_of_point[k] && n < work.size(); ++n)
+          work[n] += forces[k] * rows[at++];
+      }
+    return work;
   }
 
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Assembly in the independent unknowns.
 
-#include <npt_dealii/base/simd_clones.h>
 #include <npt_dealii/linear_algebra/constrained_system.h>
 
 #include <algorithm>
@@ -106,9 +105,10 @@ namespace NPT
 
 
   void
-  ConstrainedSystem::set_zero()
+  ConstrainedSystem::set_zero(const bool free_only)
   {
     matrix_.set_zero();
+    free_only_ = free_only;
     if (groups_lag_)
       for (Group &group : groups_)
         for (std::size_t k = 0; k < group.entry.size(); ++k)
@@ -323,7 +323,7 @@ namespace NPT
 
   namespace
   {
-    NPT_SIMD_CLONES void
+    void
     add_multiple(const double      factor,
                  const double     *from,
                  const std::size_t n,
@@ -360,11 +360,13 @@ namespace NPT
   ConstrainedSystem::sum_rows(const Group         &group,
                               const double        *rows,
                               const std::size_t    length,
-                              std::vector<double> &sums)
+                              std::vector<double> &sums) const
   {
     sums.assign(group.columns.size() * length, 0.);
     for (std::size_t k = 0; k < group.local.size(); ++k)
       {
+        if (free_only_ && prescribed_[group.columns[group.local[k]]])
+          continue;
         double       *target = &sums[group.local[k] * length];
         const double *row    = rows + group.unknown[k] * length;
         add_multiple(group.coefficient[k], row, length, target);
@@ -441,6 +443,26 @@ namespace NPT
       return false;
     add(group_, K, 1.);
     return true;
+  }
+
+
+
+  void
+  ConstrainedSystem::add_border(const unsigned int    unknown,
+                                const Vector<double> &r)
+  {
+    Vector<double> condensed;
+    condense(r, condensed);
+    const int border = index_[unknown];
+    AssertThrow(border >= 0, dealii::ExcInternalError());
+    for (unsigned int k = 0; k < condensed.size(); ++k)
+      if (condensed[k] != 0.)
+        for (const int at :
+             {matrix_.position(border, k), matrix_.position(k, border)})
+          {
+            AssertThrow(at >= 0, dealii::ExcInternalError());
+            matrix_.values[at] += condensed[k];
+          }
   }
 
 

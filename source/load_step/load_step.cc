@@ -87,7 +87,7 @@ namespace NPT
 
 
   void
-  LoadStep::prepare_tangent()
+  LoadStep::prepare_tangent(const bool free_only)
   {
     bool has_all_couplings = false;
     for (unsigned int attempt = 0; !has_all_couplings; ++attempt)
@@ -99,7 +99,7 @@ namespace NPT
             const Section section(timer_, "Pattern");
             system_.build_pattern(problem_.couplings(increment_, trial_));
           }
-        system_.set_zero();
+        system_.set_zero(free_only);
         has_all_couplings = problem_.add_tangent(increment_, trial_, system_);
       }
     const Section section(timer_, "Factorize");
@@ -125,7 +125,7 @@ namespace NPT
       evaluate(x, r);
     };
     equations.prepare_tangent = [this](const Vector<double> &) {
-      prepare_tangent();
+      prepare_tangent(true);
     };
     equations.solve = [this](const Vector<double> &rhs, Vector<double> &dx) {
       solve_linear(rhs, dx);
@@ -183,7 +183,7 @@ namespace NPT
       return;
     Vector<double> r, K_increment, rhs(system_.n_free()), dx;
     evaluate_independent(m_accepted_, r);
-    prepare_tangent();
+    prepare_tangent(false);
 
     Vector<double> increment(increment_.target);
     increment -= m_accepted_;

@@ -49,6 +49,11 @@ namespace
     {"primitive cell", "5-harness satin"},
     {"unit cell", "5-harness satin"},
     {"primitive cell", "ouu/uou/uuo"},
+    {"primitive cell", "2/2 rib"},
+    {"unit cell", "2/2 rib"},
+    {"sub-unit cell", "2/2 basket"},
+    {"primitive cell", "2/2 basket"},
+    {"unit cell", "2/2 basket"},
     {"primitive cell", "oouuo/uouoo/ouoou"}};
 
   std::vector<NURBSPatch<3>>
@@ -153,6 +158,7 @@ TEST_CASE("Every operation maps control points inside the cell onto control "
         CellParameters parameters   = odd_cell();
         parameters.type             = type;
         parameters.weave            = weave;
+        parameters.mirror_planes    = CellParameters::MirrorPlanes::yes;
         parameters.crossing_spacing = WarpWeft(3.7, 3.3);
         parameters.bundle_width     = WarpWeft(3.1, 2.9);
         const FabricCell cell(parameters, small_mesh(3, across));
@@ -346,4 +352,44 @@ TEST_CASE("Symmetry weights count every point of the cell once", "[cell]")
             }
           CHECK(weighted == Approx(volume).epsilon(1e-12));
         }
+}
+
+
+
+TEST_CASE("With mirror planes, too, the part that is integrated stands for the "
+          "whole cell, and is a quarter of it where the weave has them",
+          "[cell]")
+{
+  for (const auto &[type, weave] : cells_of_weaves)
+    for (const unsigned int along : {2, 3})
+      {
+        INFO(type << " of " << weave);
+        CellParameters parameters   = odd_cell();
+        parameters.type             = type;
+        parameters.weave            = weave;
+        parameters.mirror_planes    = CellParameters::MirrorPlanes::yes;
+        parameters.integrate_pieces = true;
+        const MeshParameters mesh   = small_mesh(along, 3);
+        const FabricCell     cell(parameters, mesh);
+        const IGASpace<3>    space(patches(cell), {}, mesh.basis);
+        IGAValues<3>         values(space);
+        double               weighted = 0, volume = 0, integrated = 0;
+        for (const auto &span : space.triangulation().active_cell_iterators())
+          {
+            values.reinit(span);
+            for (unsigned int q = 0; q < values.n_quadrature_points(); ++q)
+              {
+                const unsigned int weight =
+                  cell.symmetry_weight(span->material_id(),
+                                       values.quadrature_point(q));
+                volume += values.JxW(q);
+                weighted += weight * values.JxW(q);
+                integrated += weight > 0 ? values.JxW(q) : 0.;
+              }
+          }
+        CHECK(weighted == Approx(volume).epsilon(1e-12));
+        // Quadrature points lie on the planes of an odd number of elements.
+        if (weave == "plain" || weave == "2/2 rib" || weave == "2/2 basket")
+          CHECK(integrated < 0.36 * volume);
+      }
 }

@@ -107,6 +107,7 @@ namespace
   const std::set<std::string> completed = {"Cell/Type",
                                            "Cell/Side contact",
                                            "Cell/Smooth closure",
+                                           "Cell/Mirror planes",
                                            "Contact/Penetration tolerance",
                                            "Contact/Stick tolerance",
                                            "Weft material/Law",

@@ -11,7 +11,6 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace NPT
@@ -33,20 +32,24 @@ namespace NPT
 
     unsigned int n_crossings = 1; ///< 1 for a ply
     /// Along which of Y1, Y2, Y3 the symmetry of the cell lets this bundle move
-    /// rigidly, by itself or against its image under the 2-fold axis.
+    /// rigidly, by itself or against its image under the 2-fold axis or a
+    /// mirror plane.
     std::array<bool, 3> can_float = {{false, false, false}};
     /// Where along the bundle, in [0,1], a 2-fold axis goes through it.
     double axis_parameter = 0.5;
 
-    /// Where the 2-fold axis takes a bundle: the number of a bundle of the
-    /// cell, perhaps its own.
-    struct Mirror
+    /// Where the 2-fold axis or a mirror plane takes a piece of a bundle: the
+    /// number of a bundle of the cell, perhaps its own.
+    struct Counterpart
     {
       unsigned int      bundle;
       SymmetryOperation operation;
+      double            begin, end; ///< of the piece, Y along the bundle [mm]
     };
-    /// Nothing if the axis is no constraint.
-    std::optional<Mirror> mirror = std::nullopt;
+    /// Empty if neither is a constraint.
+    std::vector<Counterpart> counterparts = {};
+    /// Y of the middle of the bundle along itself [mm].
+    double middle = 0.;
     /// From bottom to top, of Cell / Layers.
     unsigned int layer = 0;
   };
@@ -102,6 +105,8 @@ namespace NPT
 
     double area              = 0.; ///< [mm^2]
     bool   has_two_fold_axis = false;
+    bool   has_mirror_planes = false;
+    bool   integrates_pieces = false;
   };
 } // namespace NPT
 

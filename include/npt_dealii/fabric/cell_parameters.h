@@ -74,6 +74,18 @@ namespace NPT
     std::string type          = "automatic";
     std::string weave         = "plain"; ///< name or table
     bool        two_fold_axis = true;
+    /// Mirror planes across the bundles as constraints.
+    enum class MirrorPlanes
+    {
+      automatic, ///< no, unless the load programme is known and allows them
+      yes,
+      no
+    };
+    MirrorPlanes mirror_planes = MirrorPlanes::automatic;
+    /// Whether a piece of a bundle may stand for others, also for those to
+    /// which only a shift of the cell leads. No entry: linear jumps that bend
+    /// the cell are not the same for both, so the load programme decides.
+    bool integrate_pieces = false;
     /// C1 over the periodic faces and between crossings.
     enum class SmoothClosure
     {
@@ -101,6 +113,10 @@ namespace NPT
     BundleSection
     weft_section() const;
 
+    /// Why there can be no mirror planes; empty if there can.
+    std::string
+    obstacle_to_mirror_planes() const;
+
     /// Bind the members to the entries of the subsection.
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -119,6 +135,10 @@ namespace NPT
   template <>
   const EnumNames<CellParameters::SideContact> &
   enum_names<CellParameters::SideContact>();
+
+  template <>
+  const EnumNames<CellParameters::MirrorPlanes> &
+  enum_names<CellParameters::MirrorPlanes>();
 
   template <>
   const EnumNames<CellParameters::SmoothClosure> &

@@ -43,7 +43,8 @@ namespace NPT
     }
     /// All operations that relate control points of the base cell:
     /// translations or glides that take a bundle of the base cell to another
-    /// one or to its end, and the same after the 2-fold axis if there is one.
+    /// one or to its end, and the same after the 2-fold axis and the mirror
+    /// planes if they are used.
     const std::vector<SymmetryOperation> &
     operations() const
     {
@@ -71,6 +72,18 @@ namespace NPT
     {
       return layout_.has_two_fold_axis;
     }
+    /// Whether mirror planes across the bundles are used as constraints.
+    bool
+    has_mirror_planes() const
+    {
+      return layout_.has_mirror_planes;
+    }
+    /// Whether pieces of bundles stand for others; see CellParameters.
+    bool
+    integrates_pieces() const
+    {
+      return layout_.integrates_pieces;
+    }
     /// Along which of Y1, Y2, Y3 the operations let the whole cell move
     /// rigidly, so that it must be pinned: a 2-fold axis excludes it in plane,
     /// a glide plane along Y3.
@@ -93,10 +106,15 @@ namespace NPT
       return layout_.bundles[bundle].axis_parameter;
     }
     /**
-     * How often a point of a bundle stands for itself and its mirror image:
-     * where the 2-fold axis maps bundles of the base cell onto each other, one
-     * half is integrated with weight 2, points on the axis with weight 1, the
-     * other half with weight 0.
+     * How often a point of a bundle counts in an integral over the cell: of a
+     * point and its images under the 2-fold axis and the mirror planes one
+     * stands for all of them, and the others have weight 0.
+     *
+     * With the axis alone the weight is 2, on the axis 1; with mirror planes 4,
+     * on one plane 2, on two 1. The one that counts is that nearest to the
+     * middle of its bundle, so that it is none at a seam, of which a bundle has
+     * two halves; of equally near ones that in the bundle with the smallest
+     * number, then that with the largest Y1, then Y2.
      */
     unsigned int
     symmetry_weight(const unsigned int bundle, const dealii::Point<3> &Y) const;

@@ -37,6 +37,12 @@ namespace NPT
     static SymmetryOperation
     glide_plane(const std::string &name, const dealii::Tensor<1, 3> &a);
 
+    /// A mirror that reverses direction 0 (Y1) or 1 (Y2), then a shift.
+    static SymmetryOperation
+    mirror_plane(const std::string          &name,
+                 const unsigned int          direction,
+                 const dealii::Tensor<1, 3> &a);
+
     /// By 180 degrees about the axis Y3 through the origin.
     static SymmetryOperation
     two_fold_axis();

@@ -64,6 +64,11 @@ namespace NPT
     std::vector<SymmetryOperation>
     shifts() const;
 
+    /// The 2-fold axis, if asked for, and the mirror planes across warp and
+    /// weft, as far as the weave has them; all others follow with shifts.
+    std::vector<SymmetryOperation>
+    turns(const bool with_axis, const bool with_mirrors) const;
+
   private:
     WeavePattern                      weave_;
     bool                              translations_of_repeat_only_;

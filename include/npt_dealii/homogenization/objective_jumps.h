@@ -82,7 +82,8 @@ namespace NPT
     /// The unknowns v of each control point and image point, then H1..H6.
     std::vector<std::vector<unsigned int>>
     groups() const;
-    /// For each group the matrix sum_i f_i d^2 u_i / dv^2 of forces f on u.
+    /// For each group with a force the matrix sum_i f_i d^2 u_i / dv^2 of
+    /// forces f on u.
     void
     second_derivatives(
       const dealii::Vector<double>                                 &v,
@@ -90,6 +91,11 @@ namespace NPT
       const std::function<void(const unsigned int         group,
                                const std::vector<double> &matrix)> &visit)
       const;
+
+    /// Work of forces on u with H1..H6 where v stays [N mm].
+    Gradients
+    work_with_gradients(const dealii::Vector<double> &u,
+                        const dealii::Vector<double> &forces) const;
 
     /// Sum over all points of the forces on u, turned back into their frames.
     dealii::Tensor<1, 3>

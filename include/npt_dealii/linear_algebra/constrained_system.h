@@ -121,8 +121,11 @@ namespace NPT
       has_pattern_ = false;
     }
 
+    /// @param free_only Columns of prescribed unknowns are not needed this
+    /// time,
+    ///   and need not be computed.
     void
-    set_zero();
+    set_zero(const bool free_only = false);
     /// Add factor * C^T K C of a registered group.
     void
     add(const unsigned int         group,
@@ -133,6 +136,11 @@ namespace NPT
     bool
     add(const std::vector<unsigned int> &unknowns,
         const std::vector<double>       &K);
+
+    /// Add to the row and the column of an independent unknown r_k for all
+    /// unknowns k; where r_k is not zero, a group must have both.
+    void
+    add_border(const unsigned int unknown, const dealii::Vector<double> &r);
 
     /// C^T K C over all independent unknowns.
     const CSRMatrix &
@@ -184,11 +192,11 @@ namespace NPT
     make_group(const std::vector<unsigned int> &unknowns, Group &group) const;
     bool
     find_positions(Group &group) const;
-    static void
+    void
     sum_rows(const Group         &group,
              const double        *rows,
              const std::size_t    length,
-             std::vector<double> &sums);
+             std::vector<double> &sums) const;
     void
     add(const Group &group, const std::vector<double> &K, const double factor);
 
@@ -221,7 +229,8 @@ namespace NPT
     std::vector<int>    order_; // identity, where C is applied
     std::vector<double> ones_;
 
-    std::vector<bool>         prescribed_;
+    std::vector<bool> prescribed_;
+    bool free_only_ = false; // columns of prescribed unknowns are left out
     std::vector<unsigned int> free_;
     CSRMatrix                 free_matrix_;
     std::vector<int>          free_number_; // of an independent one, or -1

@@ -121,7 +121,7 @@ namespace NPT
     evaluate_independent(const dealii::Vector<double> &m,
                          dealii::Vector<double>       &r);
     void
-    prepare_tangent();
+    prepare_tangent(const bool free_only);
     void
     solve_linear(const dealii::Vector<double> &rhs, dealii::Vector<double> &dx);
     ContactViolation

@@ -47,7 +47,8 @@ namespace NPT
   // With r = sqrt(1 + k q) = 1 + k d the derivatives of d(q, k) follow from
   // q = 2 d + k d^2, also at k = 0.
   MeanHeight::Height::Height(const std::array<double, n_circle> &circle,
-                             const Tensor<1, dim>               &x)
+                             const Tensor<1, dim>               &x,
+                             const bool                          with_hessian)
   {
     const auto [k, b1, b2] = circle;
     const double along     = b1 * x[0] + b2 * x[1];
@@ -57,23 +58,31 @@ namespace NPT
     const double d         = q / (r + 1.);
     const double d_q       = 0.5 / r;
     const double d_k       = -d_q * d * d;
-    const double d_qq      = -k * d_q * d_q / r;
-    const double d_qk      = -d * (1. + r) * d_q * d_q / r;
-    const double d_kk      = d * d * d * (3. * r + 1.) * d_q * d_q / r;
-
     // q and its derivatives; the variables are x, k, b.
     constexpr unsigned int          at_k = dim, at_b = dim + 1;
     const double                    b[] = {b1, b2};
     std::array<double, n_variables> q_1{};
-    hessian          = {};
-    q_1[2]           = 2. + 2. * k * x[2];
-    q_1[at_k]        = square;
-    hessian[2][2]    = 2. * k;
-    hessian[2][at_k] = 2. * x[2];
+    q_1[2]    = 2. + 2. * k * x[2];
+    q_1[at_k] = square;
     for (unsigned int i = 0; i < 2; ++i)
       {
-        q_1[i]                  = 2. * k * along * b[i];
-        q_1[at_b + i]           = 2. * k * along * x[i];
+        q_1[i]        = 2. * k * along * b[i];
+        q_1[at_b + i] = 2. * k * along * x[i];
+      }
+    value = d;
+    for (unsigned int v = 0; v < n_variables; ++v)
+      gradient[v] = d_q * q_1[v] + (v == at_k ? d_k : 0.);
+    if (!with_hessian)
+      return;
+
+    const double d_qq = -k * d_q * d_q / r;
+    const double d_qk = -d * (1. + r) * d_q * d_q / r;
+    const double d_kk = d * d * d * (3. * r + 1.) * d_q * d_q / r;
+    hessian           = {};
+    hessian[2][2]     = 2. * k;
+    hessian[2][at_k]  = 2. * x[2];
+    for (unsigned int i = 0; i < 2; ++i)
+      {
         hessian[i][at_k]        = 2. * along * b[i];
         hessian[at_k][at_b + i] = 2. * along * x[i];
         for (unsigned int j = 0; j < 2; ++j)
@@ -86,16 +95,12 @@ namespace NPT
       }
 
     // Above the diagonal first.
-    value = d;
     for (unsigned int v = 0; v < n_variables; ++v)
-      {
-        gradient[v] = d_q * q_1[v] + (v == at_k ? d_k : 0.);
-        for (unsigned int w = v; w < n_variables; ++w)
-          hessian[v][w] = d_q * hessian[v][w] + d_qq * q_1[v] * q_1[w] +
-                          (w == at_k ? d_qk * q_1[v] : 0.) +
-                          (v == at_k ? d_qk * q_1[w] : 0.) +
-                          (v == at_k && w == at_k ? d_kk : 0.);
-      }
+      for (unsigned int w = v; w < n_variables; ++w)
+        hessian[v][w] = d_q * hessian[v][w] + d_qq * q_1[v] * q_1[w] +
+                        (w == at_k ? d_qk * q_1[v] : 0.) +
+                        (v == at_k ? d_qk * q_1[w] : 0.) +
+                        (v == at_k && w == at_k ? d_kk : 0.);
     for (unsigned int v = 0; v < n_variables; ++v)
       for (unsigned int w = 0; w < v; ++w)
         hessian[v][w] = hessian[w][v];
@@ -166,23 +171,55 @@ namespace NPT
 
 
   double
-  MeanHeight::value(const Vector<double> &u) const
+  MeanHeight::differentiate(const Vector<double> &u,
+                            const IsCounted      &is_counted,
+                            Vector<double>       &gradient) const
   {
     const DeformableBodies &bodies = cell_->bodies();
-    const auto              at     = values_of(circle(u));
+    const auto              of_H   = circle(u);
+    const auto              at     = values_of(of_H);
     std::vector<double>     x;
-    double                  sum = 0;
+    double                  height = 0, on_circle[n_circle] = {};
+    gradient.reinit(u.size());
     for (unsigned int c = 0; c < bodies.gradients().size(); ++c)
-      if (bodies.symmetry_weight(c) > 0)
+      if (is_counted(c))
         {
-          const CellGradients &cell = bodies.gradients()[c];
-          const unsigned int   n    = cell.n_functions;
+          const CellGradients &cell     = bodies.gradients()[c];
+          const unsigned int   n        = cell.n_functions;
+          const auto          &unknowns = bodies.cell_unknowns(c);
           positions(c, u, x);
           for (unsigned int q = 0; q < cell.n_points; ++q)
-            sum += bodies.symmetry_weight(c) * cell.jxw[q] *
-                   Height(at, interpolate(&cell.values[q * n], n, x)).value;
+            {
+              const double *R = &cell.values[q * n];
+              const double  share =
+                bodies.symmetry_weight(c) * cell.jxw[q] / volume_;
+              const Height d(at, interpolate(R, n, x), false);
+              height += share * d.value;
+              for (unsigned int m = 0; m < n_circle; ++m)
+                on_circle[m] += share * d.gradient[dim + m];
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int a = 0; a < n; ++a)
+                  gradient[unknowns[i * n + a]] += share * d.gradient[i] * R[a];
+            }
         }
-    return sum / volume_;
+    for (unsigned int k = 0; k < MacroModes::n; ++k)
+      for (unsigned int m = 0; m < n_circle; ++m)
+        gradient[cell_->macro().mode(k)] += on_circle[m] * of_H[m].gradient[k];
+    return height;
+  }
+
+
+
+  double
+  MeanHeight::value(const Vector<double> &u) const
+  {
+    Vector<double> gradient;
+    return differentiate(
+      u,
+      [this](const unsigned int c) {
+        return cell_->bodies().symmetry_weight(c) > 0;
+      },
+      gradient);
   }
 
 
@@ -193,52 +230,41 @@ namespace NPT
   {
     if (cell_ == nullptr)
       return;
-    const DeformableBodies &bodies = cell_->bodies();
-    const MacroUnknowns    &macro  = cell_->macro();
-    const auto              of_H   = circle(u);
-    const auto              at     = values_of(of_H);
-    const double            force  = this->force(u);
-    std::vector<double>     x, on_functions;
-    double                  height = 0, on_circle[n_circle] = {};
-    for (unsigned int c = 0; c < bodies.gradients().size(); ++c)
-      if (bodies.symmetry_weight(c) > 0)
-        {
-          const CellGradients &cell     = bodies.gradients()[c];
-          const unsigned int   n        = cell.n_functions;
-          const auto          &unknowns = bodies.cell_unknowns(c);
-          positions(c, u, x);
-          on_functions.assign(dim * n, 0.);
-          for (unsigned int q = 0; q < cell.n_points; ++q)
-            {
-              const double *R = &cell.values[q * n];
-              const double  share =
-                bodies.symmetry_weight(c) * cell.jxw[q] / volume_;
-              const Height d(at, interpolate(R, n, x));
-              height += share * d.value;
-              for (unsigned int m = 0; m < n_circle; ++m)
-                on_circle[m] += force * share * d.gradient[dim + m];
-              for (unsigned int i = 0; i < dim; ++i)
-                for (unsigned int a = 0; a < n; ++a)
-                  on_functions[i * n + a] +=
-                    force * share * d.gradient[i] * R[a];
-            }
-          for (unsigned int k = 0; k < dim * n; ++k)
-            residual[unknowns[k]] += on_functions[k];
-        }
-    residual[macro.support()] += stiffness_ * height;
-    for (unsigned int n = 0; n < MacroModes::n; ++n)
-      for (unsigned int m = 0; m < n_circle; ++m)
-        residual[macro.mode(n)] += on_circle[m] * of_H[m].gradient[n];
+    Vector<double> gradient;
+    const double   height = differentiate(
+      u,
+      [this](const unsigned int c) {
+        return cell_->bodies().symmetry_weight(c) > 0;
+      },
+      gradient);
+    residual.add(force(u), gradient);
+    residual[cell_->macro().support()] += stiffness_ * height;
   }
 
 
 
+  // c s d^2 d / dx^2 is left out where it is this small against the forces of
+  // the bundles: without tension, s is zero, and Newton's method does not
+  // notice 1e-7 of the stiffness.
+  constexpr double negligible_force = 1e-4;
+
   void
   MeanHeight::add_tangent(const Vector<double> &u,
+                          const double          force_scale,
                           ConstrainedSystem    &system) const
   {
     if (cell_ == nullptr)
       return;
+    const auto is_mine = [this](const unsigned int c) {
+      return groups_[c] != dealii::numbers::invalid_unsigned_int;
+    };
+    Vector<double> gradient;
+    differentiate(u, is_mine, gradient);
+    gradient *= stiffness_;
+    system.add_border(cell_->macro().support(), gradient);
+    if (std::abs(force(u)) <= negligible_force * force_scale)
+      return;
+
     const DeformableBodies &bodies = cell_->bodies();
     const auto              of_H   = circle(u);
     const auto              at     = values_of(of_H);
@@ -246,7 +272,7 @@ namespace NPT
     std::vector<double>     x, K;
     for (unsigned int c = 0; c < groups_.size(); ++c)
       {
-        if (groups_[c] == dealii::numbers::invalid_unsigned_int)
+        if (!is_mine(c))
           continue;
         const CellGradients &cell = bodies.gradients()[c];
         const unsigned int   n = cell.n_functions, n_q = cell.n_points;
@@ -255,13 +281,14 @@ namespace NPT
         Vector<double>      share(n_q);
         for (unsigned int q = 0; q < n_q; ++q)
           {
-            d.emplace_back(at, interpolate(&cell.values[q * n], n, x));
+            d.emplace_back(at, interpolate(&cell.values[q * n], n, x), true);
             share[q] = bodies.symmetry_weight(c) * cell.jxw[q] / volume_;
           }
 
-        // Unknowns in this order: positions by component, H1..H6, s.
-        const unsigned int first_H = dim * n, s = first_H + MacroModes::n,
-                           size = s + 1;
+        // Unknowns in this order: positions by component, H1..H6, s, whose
+        // row is there already.
+        const unsigned int first_H = dim * n,
+                           size    = first_H + MacroModes::n + 1;
         K.assign(size * size, 0.);
         const auto set = [&](const unsigned int row,
                              const unsigned int column,
@@ -299,11 +326,6 @@ namespace NPT
                         K[(i * n + a) * size + first_H + k] +
                           integrals[a] * of_H[m].gradient[k]);
               }
-            for (unsigned int q = 0; q < n_q; ++q)
-              weight[q] = stiffness_ * share[q] * d[q].gradient[i];
-            F.Tvmult(integrals, weight);
-            for (unsigned int a = 0; a < n; ++a)
-              set(i * n + a, s, integrals[a]);
           }
 
         // The sums of all points as a function of H, by the chain rule.
@@ -316,24 +338,18 @@ namespace NPT
                 curvature[m][o] += share[q] * d[q].hessian[dim + m][dim + o];
             }
         for (unsigned int k = 0; k < MacroModes::n; ++k)
-          {
-            double with_s = 0;
-            for (unsigned int m = 0; m < n_circle; ++m)
-              with_s += stiffness_ * slope[m] * of_H[m].gradient[k];
-            set(first_H + k, s, with_s);
-            for (unsigned int l = 0; l < MacroModes::n; ++l)
-              {
-                double sum = 0;
-                for (unsigned int m = 0; m < n_circle; ++m)
-                  {
-                    sum += slope[m] * of_H[m].hessian[k][l];
-                    for (unsigned int o = 0; o < n_circle; ++o)
-                      sum += curvature[m][o] * of_H[m].gradient[k] *
-                             of_H[o].gradient[l];
-                  }
-                K[(first_H + k) * size + first_H + l] = force * sum;
-              }
-          }
+          for (unsigned int l = 0; l < MacroModes::n; ++l)
+            {
+              double sum = 0;
+              for (unsigned int m = 0; m < n_circle; ++m)
+                {
+                  sum += slope[m] * of_H[m].hessian[k][l];
+                  for (unsigned int o = 0; o < n_circle; ++o)
+                    sum += curvature[m][o] * of_H[m].gradient[k] *
+                           of_H[o].gradient[l];
+                }
+              K[(first_H + k) * size + first_H + l] = force * sum;
+            }
         system.add(groups_[c], K);
       }
   }

@@ -27,7 +27,11 @@ namespace NPT
                              (2 * p + 1) * pairs(mesh.elements_across) *
                              pairs(mesh.elements_through);
     constexpr double bytes_per_entry = 2 * (sizeof(double) + sizeof(int));
-    return 0.4e-9 * bytes_per_entry * n_entries;
+    const double     share =
+      parameters.cell.mirror_planes == CellParameters::MirrorPlanes::yes ?
+            0.1e-9 :
+            0.4e-9;
+    return share * bytes_per_entry * n_entries;
   }
 
 

@@ -298,6 +298,7 @@ namespace NPT
       stage.name,
       LoadStepper::Predictor::extrapolation,
       [&](const AcceptedStep &step) {
+        is_elliptic_ = problem.checked_is_elliptic();
         visitor(step);
         if (state_.load_factor == 1.)
           results_.report_supports(index,
@@ -476,7 +477,7 @@ namespace NPT
   NumericalPlateTesting::warn_of_ellipticity(const LoadStage    &stage,
                                              const AcceptedStep &step)
   {
-    if (parameters_.stability.stops_at_loss() || stage.name == not_elliptic_in_)
+    if (is_elliptic_ || stage.name == not_elliptic_in_)
       return;
     TimerOutput::Scope timer(timer_, "Ellipticity");
     auto loss = cell_->bodies().loss_of_ellipticity(state_.u, state_.natural);

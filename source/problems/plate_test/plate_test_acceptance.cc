@@ -2,10 +2,12 @@
 // What a stage of a plate test accepts: reactions, energies, forces of
 // supports.
 
+#include <npt_dealii/homogenization/cell_modes.h>
 #include <npt_dealii/problems/plate_test/plate_test_stage.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace NPT
 {
@@ -91,6 +93,23 @@ namespace NPT
 
 
 
+  // Linear jumps that bend the cell are not the same for pieces that stand for
+  // each other. In a flat state those that turn with the plate are, about the
+  // mean height of the cell.
+  std::optional<Gradients>
+  PlateTestStage::work_of_turning(const Trial &trial) const
+  {
+    if (!cell_.fabric().integrates_pieces() || jumps_ != nullptr)
+      return {};
+    const Tensor<1, 2> any({1., 0.});
+    const auto         jumps = cell_.objective_jumps(any);
+    Vector<double>     u(trial.u);
+    jumps->raise(-MeanHeight(cell_, any, 1.).value(u), u);
+    return jumps->work_with_gradients(u, trial.residual);
+  }
+
+
+
   State
   PlateTestStage::accept(const State     &before,
                          const Increment &increment,
@@ -99,14 +118,25 @@ namespace NPT
     State state = EquilibriumProblem::accept(before, increment, trial);
     // Conjugates are the reactions of the macro unknowns over the area. The
     // residual excludes the applied load, so that they are the same for
-    // prescribed H and prescribed n.
+    // prescribed H and prescribed n. Where the symmetry of the cell forbids a
+    // mode its conjugate is zero; the part of the cell that is integrated does
+    // not show it.
+    const std::optional<Gradients> turning   = work_of_turning(trial);
+    const auto                     conjugate = [&](const unsigned int n) {
+      const bool bends = MacroModes::table[n].kind == MacroMode::Kind::bending;
+      return (turning && bends ? (*turning)[n] :
+                                                     trial.condensed[system_.independent_index(
+                                   cell_.macro().mode(n))]) /
+             cell_.fabric().area();
+    };
     const Membrane led = frame_.resultants(increment.load_factor, trial.u);
     for (unsigned int n = 0; n < MacroUnknowns::n_modes; ++n)
       state.reactions.push_back(
-        trial.condensed[system_.independent_index(cell_.macro().mode(n))] /
-          cell_.fabric().area() +
-        (resultant_controlled_[n] ? increment.applied[n] : 0.) +
-        (n < led.size() ? led[n] : 0.));
+        !represents_mode(cell_.fabric(), n) ?
+          0. :
+          conjugate(n) +
+            (resultant_controlled_[n] ? increment.applied[n] : 0.) +
+            (n < led.size() ? led[n] : 0.));
     state.reactions.push_back(
       trial
         .condensed[system_.independent_index(cell_.macro().weaving_offset())]);

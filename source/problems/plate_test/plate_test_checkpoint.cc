@@ -2,6 +2,7 @@
 // Archive of a plate test, and which parameters fit it.
 
 #include <npt_dealii/base/exceptions.h>
+#include <npt_dealii/fabric/fabric_cell.h>
 #include <npt_dealii/io/checkpoint_file.h>
 #include <npt_dealii/load_step/state_archive.h>
 #include <npt_dealii/problems/plate_test/plate_test_checkpoint.h>
@@ -326,6 +327,12 @@ namespace NPT
     const CellParameters &cell = parameters.cell;
     return "Type = " + cell.type +
            ", Side contact = " + name_of(cell.side_contact) +
-           ", Smooth closure = " + name_of(cell.smooth_closure);
+           ", Smooth closure = " + name_of(cell.smooth_closure) +
+           (cell.mirror_planes == CellParameters::MirrorPlanes::yes ?
+              ", Mirror planes = true" :
+              "") +
+           (FabricCell(cell, parameters.mesh).integrates_pieces() ?
+              ", integrated in pieces" :
+              "");
   }
 } // namespace NPT

@@ -23,6 +23,7 @@
 #include <cstdlib>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace NPT
 {
@@ -208,6 +209,69 @@ namespace NPT
         }
     }
 
+    // Drop the targets of modes that mirror planes forbid, where they are zero;
+    // false if one is not, or nothing would be left of a stage.
+    bool
+    drop_forbidden_targets(LoadStage &stage)
+    {
+      const SymmetryOperation mirror =
+        SymmetryOperation::mirror_plane("", 0, dealii::Tensor<1, 3>());
+      const bool had_targets =
+        !stage.H_targets.empty() || !stage.n_targets.empty();
+      for (auto *targets : {&stage.H_targets, &stage.n_targets})
+        for (auto target = targets->begin(); target != targets->end();)
+          if (!keeps_mode(mirror, target->first) && target->second == 0.)
+            target = targets->erase(target);
+          else
+            ++target;
+      for (const unsigned int n : stage.driven_modes())
+        if (!keeps_mode(mirror, n))
+          return false;
+      return !(had_targets && stage.H_targets.empty() &&
+               stage.n_targets.empty());
+    }
+
+    // In-plane compression, in which the fabric may shear by itself.
+    bool
+    compresses(const LoadStage &stage)
+    {
+      for (const auto *targets : {&stage.H_targets, &stage.n_targets})
+        for (const auto &[n, value] : *targets)
+          if (MacroModes::table[n].kind == MacroMode::Kind::membrane &&
+              value < 0.)
+            return true;
+      return false;
+    }
+
+    // Mirror planes as constraints, where the load programme allows them.
+    void
+    settle_mirror_planes(PlateTestParameters &parameters)
+    {
+      using MirrorPlanes   = CellParameters::MirrorPlanes;
+      CellParameters &cell = parameters.cell;
+      if (cell.mirror_planes == MirrorPlanes::no)
+        return;
+      const bool is_choice = cell.mirror_planes == MirrorPlanes::automatic;
+      auto      &stages    = parameters.load_programme.stages;
+      std::vector<LoadStage> without  = stages;
+      bool                   allowed  = true;
+      bool                   has_test = false;
+      for (LoadStage &stage : without)
+        has_test = has_test || stage.is_test();
+      for (LoadStage &stage : without)
+        if (!drop_forbidden_targets(stage) || (is_choice && compresses(stage)))
+          allowed = false;
+      if (is_choice)
+        cell.mirror_planes =
+          allowed && has_test && cell.obstacle_to_mirror_planes().empty() ?
+            MirrorPlanes::yes :
+            MirrorPlanes::no;
+      if (allowed && cell.mirror_planes == MirrorPlanes::yes)
+        stages = without;
+      parameters.chose_mirror_planes =
+        is_choice && cell.mirror_planes == MirrorPlanes::yes;
+    }
+
     // Where a smooth closure would gain nothing or could not be kept; empty: it
     // can be used.
     std::string
@@ -267,6 +331,17 @@ namespace NPT
       return parameters.cell.smooth_closure ==
                CellParameters::SmoothClosure::yes &&
              fewest + mesh.degree < 4;
+    }
+
+    bool
+    bends_with_linear_jumps(const std::vector<LoadStage> &stages)
+    {
+      for (const LoadStage &stage : stages)
+        for (const unsigned int n : stage.driven_modes())
+          if (MacroModes::table[n].kind == MacroMode::Kind::bending &&
+              !stage.bends_along)
+            return true;
+      return false;
     }
 
     // Which stages turn neighboring cells with the plate.
@@ -542,9 +617,16 @@ namespace NPT
                 FrictionParameters().tangential_penalty,
                 friction.tangential_penalty);
       }
+    // What the cell forbids without them is not their fault.
+    const CellParameters::MirrorPlanes mirror_planes =
+      std::exchange(cell.mirror_planes, CellParameters::MirrorPlanes::no);
+    check_modes(*this);
+    cell.mirror_planes = mirror_planes;
+    settle_mirror_planes(*this);
     check_modes(*this);
     settle_smooth_closure(*this);
     settle_jumps(*this);
+    cell.integrate_pieces = !bends_with_linear_jumps(load_programme.stages);
     check_testers_stages(*this);
   }
 

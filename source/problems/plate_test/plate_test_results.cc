@@ -111,6 +111,9 @@ namespace NPT
     if (!parameters_.reason_for_type.empty())
       log_.line("The program chose the " + parameters_.cell.type + ", " +
                 parameters_.reason_for_type + ".");
+    if (parameters_.chose_mirror_planes)
+      log_.line("The mirror planes of the weave are constraints, because no "
+                "stage drives H3 or H6.");
     if (parameters_.cell.smooth_closure == CellParameters::SmoothClosure::yes)
       log_.line("Bundles are smooth (C1) between crossings and over the "
                 "periodic faces.");

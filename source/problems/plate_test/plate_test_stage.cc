@@ -31,6 +31,10 @@ namespace NPT
     // their couplings enter the pattern.
     const double pattern_margin = 0.05;
 
+    // A loss of ellipticity is believed of steps no longer than this fraction
+    // of the Maximum step.
+    constexpr double shortest_step_to_doubt = 0.26;
+
     constexpr unsigned int n_membrane_modes = 3;
 
     // A soft foundation keeps bundles that float before contact holds them
@@ -575,12 +579,28 @@ namespace NPT
         plates_.add_tangent(trial.u, system);
       }
     const auto scope = section(timer_, "Tangent: bundles");
-    mean_height_.add_tangent(trial.u, system);
+    mean_height_.add_tangent(trial.u, trial.force_scale, system);
     cell_.bodies().add_tangent(trial.u,
                                cell_groups_,
                                system,
                                increment.natural);
     return true;
+  }
+
+
+
+  // Newton's method may land on a state that no path leads to, with elements
+  // folded up; a shorter step then finds the other one. A loss that is on the
+  // path is met by shorter steps, too.
+  bool
+  PlateTestStage::may_be_spurious(const State &before, const State &after) const
+  {
+    const double          step  = after.load_factor - before.load_factor;
+    const StepParameters &steps = stage_.steps;
+    // A fine mesh that goes on from a coarse one has its one step.
+    return step > shortest_step_to_doubt * steps.maximum_step && step < 1. &&
+           0.5 * step >= steps.minimum_step &&
+           !cell_.bodies().loss_of_ellipticity(before.u, before.natural);
   }
 
 
@@ -598,13 +618,14 @@ namespace NPT
     if (!obstacle.empty())
       throw CellCollapsed(obstacle);
     const StabilityParameters &stability = parameters_.stability;
-    if (stability.stops_at_loss())
-      {
-        const auto scope = section(timer_, "Ellipticity");
-        if (const auto loss =
-              cell_.bodies().loss_of_ellipticity(after.u, after.natural))
-          throw EllipticityLost(cell_.bodies().describe(*loss));
-      }
+    {
+      const auto scope = section(timer_, "Ellipticity");
+      const auto loss =
+        cell_.bodies().loss_of_ellipticity(after.u, after.natural);
+      if (loss && (stability.stops_at_loss() || may_be_spurious(before, after)))
+        throw EllipticityLost(cell_.bodies().describe(*loss));
+      checked_is_elliptic_ = !loss;
+    }
     const EnergyChange step(before.energies, after.energies);
     if (!step.is_jump(stability.energy_tolerance))
       return;

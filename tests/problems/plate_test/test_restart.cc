@@ -595,6 +595,7 @@ namespace
     std::vector<std::string> all = {
       "Cell/Type=two-crossing cell",
       "Cell/Side contact=off",
+      "Cell/Mirror planes=false",
       "Load programme/Stages=" + stages,
       "Load programme/Stage pull/Targets=n1: 0.5, n2: 0.2",
       "Load programme/Stage pull/Initial step=0.5",
@@ -687,6 +688,7 @@ TEST_CASE("So is one that is stopped in a later test, and a test that is added "
                  read(small,
                       {"Cell/Type=two-crossing cell",
                        "Cell/Side contact=off",
+                       "Cell/Mirror planes=false",
                        "Load programme/Stages=weave, release, shear"}),
                  false));
   const auto checkpoint = read_checkpoint(extended.string(), added({}), {});

@@ -9,6 +9,7 @@
 #include <npt_dealii/problems/plate_test/plate_cell.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -42,8 +43,10 @@ namespace NPT
     {
       static constexpr unsigned int n_variables = dim + n_circle;
 
+      /// @param with_hessian Else the hessian is not set.
       Height(const std::array<double, n_circle> &circle,
-             const dealii::Tensor<1, dim>       &x);
+             const dealii::Tensor<1, dim>       &x,
+             const bool                          with_hessian);
 
       double                                                   value;
       std::array<double, n_variables>                          gradient;
@@ -71,12 +74,26 @@ namespace NPT
     void
     add_residual(const dealii::Vector<double> &u,
                  dealii::Vector<double>       &residual) const;
-    /// The parts of this process.
+    /**
+     * The parts of this process.
+     *
+     * @param force_scale Norm of the forces in the bundles [N]. Second
+     *   derivatives of the mean height are left out where the force that holds
+     *   it is below 1e-4 of it.
+     */
     void
     add_tangent(const dealii::Vector<double> &u,
+                const double                  force_scale,
                 ConstrainedSystem            &system) const;
 
   private:
+    using IsCounted = std::function<bool(const unsigned int cell)>;
+    // The mean height and its derivatives with respect to u and H1..H6, of some
+    // cells.
+    double
+    differentiate(const dealii::Vector<double> &u,
+                  const IsCounted              &is_counted,
+                  dealii::Vector<double>       &gradient) const;
     // k, b_1, b_2 as functions of H.
     std::array<SecondOrder<MacroModes::n>, n_circle>
     circle(const dealii::Vector<double> &u) const;

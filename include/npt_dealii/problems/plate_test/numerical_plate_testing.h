@@ -167,6 +167,7 @@ namespace NPT
     // The accepted state.
     State                         state_;
     std::vector<dealii::Point<3>> woven_;
+    bool                          is_elliptic_ = true;
     std::string                   not_elliptic_in_; // last stage
 
     // Ends of stages where others begin, by name.

@@ -146,6 +146,8 @@ namespace NPT
     /// Why the program chose this cell type ("because ..."); empty if the file
     /// names the type.
     std::string reason_for_type;
+    /// Whether the program uses mirror planes without being told to.
+    bool chose_mirror_planes = false;
     /// What the jumps of a bent cell are, and why, where the program chose
     /// them; else empty.
     std::string reason_for_jumps;

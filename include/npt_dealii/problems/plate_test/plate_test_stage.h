@@ -17,6 +17,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace NPT
@@ -89,9 +90,17 @@ namespace NPT
     std::vector<std::vector<unsigned int>>
     couplings(const Increment &increment, const Trial &trial) const override;
     /// Whether the gradients leave something of the cell; ellipticity at all
-    /// quadrature points, if asked for; the balance of energy.
+    /// quadrature points; the balance of energy. A state without ellipticity is
+    /// refused if the run is to stop there, or if it comes after an elliptic
+    /// one by a long step.
     void
     check(const State &before, const State &after) const override;
+    /// The state that check() passed last.
+    bool
+    checked_is_elliptic() const
+    {
+      return checked_is_elliptic_;
+    }
     /// With reactions also of the weaving offset and of the distance of the
     /// plates [N] behind n1..n6, and with the energies.
     State
@@ -156,6 +165,10 @@ namespace NPT
     // By interface, from bottom to top [mm].
     std::vector<double>
     gaps_between_layers(const State &start) const;
+    std::optional<Gradients>
+    work_of_turning(const Trial &trial) const;
+    bool
+    may_be_spurious(const State &before, const State &after) const;
     void
     set_plate_loads();
     void
@@ -203,6 +216,7 @@ namespace NPT
     State             start_;
     // Gaps of the contact nodes at the start of a relaxation, by pair.
     std::vector<std::vector<double>> gaps_at_start_;
+    mutable bool                     checked_is_elliptic_ = true;
   };
 } // namespace NPT
 
