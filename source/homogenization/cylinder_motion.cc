@@ -56,16 +56,27 @@ namespace NPT
       return sum;
     }
 
+    // Of c_k with respect to s.
+    double
+    stumpff_derivative(const unsigned int k, const double s)
+    {
+      return 0.5 * (k * stumpff(k + 2, s) - stumpff(k + 1, s));
+    }
+
+    FirstOrder<MacroModes::n>
+    stumpff(const unsigned int k, const FirstOrder<MacroModes::n> &s)
+    {
+      return compose(s, stumpff(k, s.value), stumpff_derivative(k, s.value));
+    }
+
     Number
     stumpff(const unsigned int k, const Number &s)
     {
-      const auto derivative = [&](const unsigned int j) {
-        return 0.5 * (j * stumpff(j + 2, s.value) - stumpff(j + 1, s.value));
-      };
       return compose(s,
                      stumpff(k, s.value),
-                     derivative(k),
-                     0.5 * (k * derivative(k + 2) - derivative(k + 1)));
+                     stumpff_derivative(k, s.value),
+                     0.5 * (k * stumpff_derivative(k + 2, s.value) -
+                            stumpff_derivative(k + 1, s.value)));
     }
   } // namespace
 
@@ -136,12 +147,13 @@ namespace NPT
       return result;
     }
 
-    std::array<Number, MacroModes::n>
+    template <typename T = Number>
+    std::array<T, MacroModes::n>
     variables(const Gradients &H)
     {
-      std::array<Number, MacroModes::n> result;
+      std::array<T, MacroModes::n> result;
       for (unsigned int n = 0; n < H.size(); ++n)
-        result[n] = Number::variable(n, H[n]);
+        result[n] = T::variable(n, H[n]);
       return result;
     }
   } // namespace
@@ -153,6 +165,16 @@ namespace NPT
                                  const Tensor<1, 2> &p) const
   {
     const Motion<Number> at = motion(variables(H), n_, p);
+    return {at.R, at.t};
+  }
+
+
+
+  CylinderMotion::FirstDerivatives
+  CylinderMotion::first_derivatives_at(const Gradients    &H,
+                                       const Tensor<1, 2> &p) const
+  {
+    const auto at = motion(variables<FirstOrder<MacroModes::n>>(H), n_, p);
     return {at.R, at.t};
   }
 

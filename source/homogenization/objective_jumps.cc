@@ -204,7 +204,11 @@ namespace NPT
     for (unsigned int k = 0; k < points_.size(); ++k)
       for (unsigned int i = 0; i < 3; ++i)
         point_of[points_[k].unknown + i] = k;
-    const auto S = derivatives(v);
+    const Gradients                               H = gradients_of(macro_, v);
+    std::vector<CylinderMotion::FirstDerivatives> S;
+    S.reserve(places_.size());
+    for (const Tensor<1, 2> &p : places_)
+      S.push_back(motion_.first_derivatives_at(H, p));
     values.clear();
     for (unsigned int row = 0; row < point_of.size(); ++row)
       {

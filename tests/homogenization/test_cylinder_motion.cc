@@ -118,6 +118,20 @@ TEST_CASE("Derivatives of the motions are those by differences, also for "
       for (unsigned int n = 3; n < 6; ++n)
         H[n] *= scale;
       const auto d = motion.derivatives_at(H, p);
+      // Those of first order alone are the same.
+      const auto first = motion.first_derivatives_at(H, p);
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          CHECK(first.t[i].value == Approx(d.t[i].value));
+          for (unsigned int n = 0; n < MacroModes::n; ++n)
+            {
+              CHECK(first.t[i].gradient[n] ==
+                    Approx(d.t[i].gradient[n]).margin(1e-14));
+              for (unsigned int j = 0; j < 3; ++j)
+                CHECK(first.R[i][j].gradient[n] ==
+                      Approx(d.R[i][j].gradient[n]).margin(1e-14));
+            }
+        }
       for (unsigned int n = 0; n < MacroModes::n; ++n)
         {
           const double h    = 1e-5;

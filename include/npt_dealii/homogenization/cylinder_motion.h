@@ -5,6 +5,7 @@
 #ifndef npt_dealii_homogenization_cylinder_motion_h
 #define npt_dealii_homogenization_cylinder_motion_h
 
+#include <npt_dealii/base/first_order.h>
 #include <npt_dealii/base/second_order.h>
 #include <npt_dealii/fabric/symmetry.h>
 #include <npt_dealii/homogenization/macro_modes.h>
@@ -67,6 +68,16 @@ namespace NPT
     };
     Derivatives
     derivatives_at(const Gradients &H, const dealii::Tensor<1, 2> &p) const;
+
+    /// The same without second derivatives.
+    struct FirstDerivatives
+    {
+      std::array<std::array<FirstOrder<MacroModes::n>, 3>, 3> R;
+      std::array<FirstOrder<MacroModes::n>, 3>                t;
+    };
+    FirstDerivatives
+    first_derivatives_at(const Gradients            &H,
+                         const dealii::Tensor<1, 2> &p) const;
 
     /// The section of the cylinder: its curvature [1/mm], per length of the
     /// stretched plate, and the direction in the plane in which it runs at the
