@@ -117,8 +117,9 @@ TEST_CASE("The program uses mirror planes where the weave has them and no "
           "stage breaks them",
           "[top]")
 {
-  const Overrides twill = {"Cell/Weave=2/2 twill"}, layers = {"Cell/Layers=2"},
-                  pinned = {"Cell/Two-fold axis=false"};
+  const Overrides twill    = {"Cell/Weave=2/2 twill"},
+                  crowfoot = {"Cell/Weave=crowfoot"}, // no two-fold axis
+    layers = {"Cell/Layers=2"}, pinned = {"Cell/Two-fold axis=false"};
   CHECK(chosen({}, "H1: 0.1") == MirrorPlanes::yes);
   CHECK(chosen({}, "H4: 0.01, H6: 0") == MirrorPlanes::yes);
   CHECK(chosen({}, "H1: 0.1, n3: 0") == MirrorPlanes::yes);
@@ -128,6 +129,7 @@ TEST_CASE("The program uses mirror planes where the weave has them and no "
   CHECK(chosen({}, "H1: -0.01, H2: 0") == MirrorPlanes::no);
   CHECK(chosen({}, "n2: -0.1") == MirrorPlanes::no);
   CHECK(chosen(twill, "H1: 0.1") == MirrorPlanes::no);
+  CHECK(chosen(crowfoot, "H1: 0.1") == MirrorPlanes::no);
   CHECK(chosen(layers, "H1: 0.1") == MirrorPlanes::no);
   CHECK(chosen(pinned, "H1: 0.1") == MirrorPlanes::no);
 }
