@@ -352,14 +352,8 @@ namespace NPT
       return "layers of fabric have no mirror planes in common";
     if (!two_fold_axis)
       return "Two-fold axis is false, which follows from two mirror planes";
-    const WovenLattice lattice(*this);
-    if (lattice.turns(false, true).empty())
+    if (WovenLattice(*this).turns(false, true).empty())
       return "the weave '" + weave + "' has none across its bundles";
-    // As of the crowfoot, whose release then sticks.
-    if (!lattice.axis())
-      return "the weave '" + weave +
-             "' has no two-fold axis where they meet, so that its bundles may "
-             "float along them";
     return "";
   }
 

@@ -192,12 +192,12 @@ namespace NPT
 
 
   bool
-  WeavePattern::is_mirror(const bool warp, const int n, const int m) const
+  WeavePattern::is_mirror(const bool warp, const int n) const
   {
     for (int j = 0; j < static_cast<int>(n_weft_); ++j)
       for (int i = 0; i < static_cast<int>(n_warp_); ++i)
         if (warp_is_over(i, j) !=
-            (warp ? warp_is_over(n - i, j + m) : warp_is_over(i + m, n - j)))
+            (warp ? warp_is_over(n - i, j) : warp_is_over(i, n - j)))
           return false;
     return true;
   }

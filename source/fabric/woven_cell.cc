@@ -93,28 +93,26 @@ namespace NPT
       result.push_back(SymmetryOperation::two_fold_axis());
     // Bundle i lies at (i - origin / 2) times the spacing. A mirror through
     // the axis is best: no shift of the repeat makes another one of it.
+    // Mirrors with a shift along them, as of the crowfoot, are left out: they
+    // do not keep bundles from floating, and the release of some sticks.
     const std::array<int, 2> origin =
       axis_.value_or(std::array<int, 2>{{0, 0}}); // twice
     const auto add_mirror = [&](const bool warp) {
-      const int          n_parallel = warp ? weave_.n_warp() : weave_.n_weft();
-      const int          n_along    = warp ? weave_.n_weft() : weave_.n_warp();
-      const unsigned int across     = warp ? 1 : 0;
-      const int          first      = origin[warp ? 0 : 1];
-      for (int m = 0; m < (translations_of_repeat_only_ ? 1 : n_along); ++m)
-        for (int k = 0; k < (translations_of_repeat_only_ ? 1 : n_parallel);
-             ++k)
-          if (weave_.is_mirror(warp, first + k, m))
-            {
-              Tensor<1, 3> a;
-              a[across]     = k * spacing_[across];
-              a[1 - across] = m * spacing_[1 - across];
-              result.push_back(
-                SymmetryOperation::mirror_plane(warp ? "mirror plane along Y1" :
-                                                       "mirror plane along Y2",
-                                                across,
-                                                a));
-              return;
-            }
+      const int n_parallel = warp ? weave_.n_warp() : weave_.n_weft();
+      const int first      = origin[warp ? 0 : 1];
+      for (int k = 0; k < (translations_of_repeat_only_ ? 1 : n_parallel); ++k)
+        if (weave_.is_mirror(warp, first + k))
+          {
+            const unsigned int across = warp ? 1 : 0;
+            Tensor<1, 3>       a;
+            a[across] = k * spacing_[across];
+            result.push_back(
+              SymmetryOperation::mirror_plane(warp ? "mirror plane along Y1" :
+                                                     "mirror plane along Y2",
+                                              across,
+                                              a));
+            return;
+          }
     };
     for (const bool warp : {true, false})
       if (with_mirrors)

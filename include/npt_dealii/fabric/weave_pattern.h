@@ -64,10 +64,10 @@ namespace NPT
     bool
     has_mirror() const;
     /// Whether a mirror across the warp bundles (`warp` true) or the weft
-    /// bundles maps the weave onto itself, sides included: warp i, weft j goes
-    /// to warp n - i, weft j + m, or to warp i + m, weft n - j.
+    /// bundles maps the weave onto itself, sides included: warp i goes to warp
+    /// n - i, or weft j to weft n - j.
     bool
-    is_mirror(const bool warp, const int n, const int m) const;
+    is_mirror(const bool warp, const int n) const;
     /// Whether a rotation by 180 degrees about the point (warp / 2, weft / 2)
     /// maps the weave onto itself.
     bool

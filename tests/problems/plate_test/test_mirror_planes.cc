@@ -118,7 +118,7 @@ TEST_CASE("The program uses mirror planes where the weave has them and no "
           "[top]")
 {
   const Overrides twill    = {"Cell/Weave=2/2 twill"},
-                  crowfoot = {"Cell/Weave=crowfoot"}, // no two-fold axis
+                  crowfoot = {"Cell/Weave=crowfoot"}, // with a shift only
     layers = {"Cell/Layers=2"}, pinned = {"Cell/Two-fold axis=false"};
   CHECK(chosen({}, "H1: 0.1") == MirrorPlanes::yes);
   CHECK(chosen({}, "H4: 0.01, H6: 0") == MirrorPlanes::yes);
