@@ -282,8 +282,14 @@ namespace NPT
             const PlateTestCheckpoint &checkpoint,
             const PlateTestParameters &parameters)
   {
-    const auto old_entries               = entries_of(checkpoint.parameters),
-               entries                   = entries_of(parameters.used_file);
+    auto       old_entries = entries_of(checkpoint.parameters);
+    const auto entries     = entries_of(parameters.used_file);
+    // Entries that the program that wrote it did not have: their defaults.
+    for (const auto &item :
+         entries_of(PlateTestParameters::documented_defaults()))
+      if (entries.count(item.first) > 0 &&
+          item.first.find("Load programme/Stage ") != 0)
+        old_entries.insert(item);
     const std::vector<std::string> names = stage_names(entries);
     check_stages(filename, stage_names(old_entries), names, checkpoint.stage);
     const std::vector<std::string> begun(names.begin(),
