@@ -9,8 +9,7 @@
 
 namespace NPT
 {
-  /// As SecondOrder, without second derivatives: a quarter of the work with six
-  /// variables.
+  /// As SecondOrder, without second derivatives.
   template <unsigned int n>
   struct FirstOrder
   {
