@@ -103,6 +103,25 @@ namespace NPT
 
 
 
+  CSRMatrix
+  sum_of_patterns(const CSRMatrix &A, const Ranks &ranks)
+  {
+    Graph graph = gathered({A.row_start, A.columns}, ranks);
+    for (std::vector<int> *list : {&graph.start, &graph.neighbors})
+      {
+        int size = list->size();
+        MPI_Bcast(&size, 1, MPI_INT, 0, ranks.communicator());
+        list->resize(size);
+        MPI_Bcast(list->data(), size, MPI_INT, 0, ranks.communicator());
+      }
+    CSRMatrix sum;
+    sum.row_start = std::move(graph.start);
+    sum.columns   = std::move(graph.neighbors);
+    return sum;
+  }
+
+
+
   std::vector<int>
   nested_dissection(const CSRMatrix &A,
                     const bool       pattern_is_symmetric,

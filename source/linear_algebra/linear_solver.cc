@@ -168,7 +168,7 @@ namespace NPT
       prm,
       "Type",
       type,
-      "automatic: on one process fronts of the program's own up to 4000 "
+      "automatic: fronts of the program's own up to 30,000 "
       "unknowns, else MUMPS, or ILU if the factors of MUMPS do not fit in the "
       "memory. Direct: MUMPS, UMFPACK. Iterative: GMRES with an incomplete "
       "factorization (ILU) or smoothed aggregation (ML); of the two ILU is "
@@ -177,7 +177,7 @@ namespace NPT
       prm,
       "Factors",
       factors,
-      "Precision of the factors of MUMPS. single: half the memory and up to "
+      "Precision of the factors of fronts and MUMPS. single: half the memory and up to "
       "half the time; solutions are iterated to the residual of double "
       "precision, and matrices for which that does not do are factorized in "
       "double precision. automatic: single from 5,000 unknowns on.");

@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/exceptions.h>
 #include <npt_dealii/linear_algebra/elimination_order.h>
+#include <npt_dealii/linear_algebra/factor_precision.h>
 #include <npt_dealii/linear_algebra/linear_solver_backend.h>
 #include <npt_dealii/linear_algebra/matrix_symmetry.h>
 #include <npt_dealii/linear_algebra/mumps_factors.h>
@@ -18,10 +19,6 @@ namespace NPT
 
   namespace
   {
-    // Number of unknowns from which on factors of single precision, and more
-    // products with them, take less time than those of double precision.
-    constexpr unsigned int single_precision_pays = 5000;
-
     /**
      * A matrix that is symmetric and positive definite (no friction, or all
      * points stick) is factorized as L D L^T, at half the operations and
@@ -48,8 +45,7 @@ namespace NPT
         matrix       = &A;
         has_symmetry = ranks.all(has_symmetric_pattern(A));
         order        = nested_dissection(A, has_symmetry, ranks);
-        use_single   = prefers_single(A.n());
-        why          = use_single ? why_single() : "";
+        precision    = FactorPrecision(parameters.factors, A.n());
         memory_      = LinearSolverMemory();
       }
 
@@ -59,18 +55,17 @@ namespace NPT
         matrix       = &A;
         is_symmetric = has_symmetry && !memory_.is_indefinite &&
                        ranks.all(has_symmetric_values(A));
-        if (use_single && !factorize(single_factors))
-          use_double("as the matrix is singular in single precision");
-        else if (!use_single)
+        if (!precision.is_single())
           factorize_in_double();
+        else if (!factorize(single_factors))
+          use_double("as the matrix is singular in single precision");
       }
 
       void
-      use_double(const std::string &given_why) override
+      use_double(const std::string &why) override
       {
         clear();
-        use_single           = false;
-        why                  = given_why;
+        precision.use_double(why);
         memory_.needs_double = true;
         // Single precision may have lost the sign of a pivot.
         memory_.is_indefinite = false;
@@ -101,7 +96,7 @@ namespace NPT
       bool
       has_single_factors() const override
       {
-        return use_single;
+        return precision.is_single();
       }
 
       std::string
@@ -109,9 +104,7 @@ namespace NPT
       {
         std::ostringstream text;
         text.precision(2);
-        if (!why.empty())
-          text << ", factors in " << (use_single ? "single" : "double")
-               << " precision, " << why;
+        text << precision.description();
         if (in_use != nullptr)
           text << ", memory of " << in_use->gigabytes() << " GB";
         if (in_use != nullptr && in_use->are_on_disk())
@@ -129,11 +122,8 @@ namespace NPT
       remember(const LinearSolverMemory &memory) override
       {
         memory_ = memory;
-        if (memory_.needs_double && use_single)
-          {
-            use_single = false;
-            why        = "as an earlier matrix asked for it";
-          }
+        if (memory_.needs_double && precision.is_single())
+          precision.use_double("as an earlier matrix asked for it");
       }
 
     private:
@@ -143,25 +133,6 @@ namespace NPT
       {
         std::unique_ptr<MUMPSInstance<Number>> general, positive_definite;
       };
-
-      bool
-      prefers_single(const unsigned int n) const
-      {
-        using Precision = LinearSolverParameters::Precision;
-        return parameters.factors == Precision::single_precision ||
-               (parameters.factors == Precision::automatic &&
-                n >= single_precision_pays);
-      }
-
-      std::string
-      why_single() const
-      {
-        return parameters.factors ==
-                   LinearSolverParameters::Precision::single_precision ?
-                 "as asked for" :
-                 "as there are at least " +
-                   std::to_string(single_precision_pays) + " unknowns";
-      }
 
       void
       clear()
@@ -222,8 +193,7 @@ namespace NPT
       MUMPSFactors                *in_use       = nullptr;
       bool                         has_symmetry = false; // the pattern
       bool                         is_symmetric = false; // the values, too
-      bool                         use_single   = false;
-      std::string                  why; // that precision
+      FactorPrecision              precision;
       LinearSolverMemory           memory_;
     };
   } // namespace

@@ -26,6 +26,11 @@ namespace NPT
   nested_dissection(const CSRMatrix &A,
                     const bool       pattern_is_symmetric,
                     const Ranks     &ranks);
+
+  /// Return, on all processes, a matrix without values that has the entries of
+  /// the matrices of all of them.
+  CSRMatrix
+  sum_of_patterns(const CSRMatrix &A, const Ranks &ranks);
 } // namespace NPT
 
 #endif

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Defines a direct factorization of small sparse matrices: multifrontal, with
-// dense kernels of the BLAS.
+// Defines a direct factorization of sparse matrices of some thousand rows:
+// multifrontal, with dense kernels of the BLAS.
 
 #ifndef npt_dealii_linear_algebra_fronts_h
 #define npt_dealii_linear_algebra_fronts_h
 
+#include <npt_dealii/base/ranks.h>
 #include <npt_dealii/linear_algebra/csr_matrix.h>
+#include <npt_dealii/linear_algebra/front_entries.h>
+#include <npt_dealii/linear_algebra/front_tree.h>
 
+#include <mpi.h>
+
+#include <memory>
 #include <vector>
 
 namespace NPT
@@ -26,19 +32,26 @@ namespace NPT
    * not singular: then somebody with all pivots must do it. For n unknowns of a
    * three-dimensional body operations grow as n^2 and memory as n^(4/3).
    *
-   * All that depends on the pattern is done once, by analyze(). The same input
-   * gives the same factors to the last bit.
+   * Several processes share the fronts by subtrees, see deal_out(): a process
+   * sends C only where the front above belongs to another one.
+   *
+   * All that depends on the pattern is done once, by the constructor. The same
+   * input gives the same factors to the last bit. All member functions are
+   * collective.
+   *
+   * @tparam Number Of the factors: double or float.
    */
+  template <typename Number>
   class Fronts
   {
   public:
     /**
-     * @param A     Only its pattern is read; it need not be symmetric.
-     * @param order Position (from 1) of each unknown in the order of
-     *   elimination, as of nested_dissection(); empty: as they are numbered.
+     * @param A     The part of this process; only its pattern is read.
+     * @param tree  That of the sum of all parts, dealt out to `ranks`.
      */
-    void
-    analyze(const CSRMatrix &A, const std::vector<int> &order);
+    Fronts(const CSRMatrix                        &A,
+           const std::shared_ptr<const FrontTree> &tree,
+           const Ranks                            &ranks = {});
 
     /// Return false if a pivot is zero, or entries of L grow beyond 1e6, where
     /// refinement would not mend what is lost; the factors are void then.
@@ -54,65 +67,74 @@ namespace NPT
     void
     solve(dealii::Vector<double> &x);
 
-    /// Memory of the factors and the largest contributions [GB].
-    double
-    gigabytes() const;
+    /// Memory of the factors and the largest contributions of a process [GB].
+    static double
+    gigabytes(const FrontTree &tree, const unsigned int process);
 
   private:
-    struct Front
-    {
-      int first = 0; // of its pivots, in the order of elimination
-      int n     = 0; // pivots
-      int m     = 0; // rows: pivots and the unknowns that these change
-      // Of the unknowns that change: place in the order, ascending.
-      std::vector<int> changed;
-      // Of the front that they are passed to, -1: there are none. `places` are
-      // their rows there, ascending.
-      int              parent = -1;
-      std::vector<int> places;
-      std::vector<int> children;
-      int              level = 0; // distance from the root
-      // Columns of pivots, m x n, then rows of pivots right of them,
-      // n x (m - n); each of them column by column.
-      std::size_t begin = 0;
-      // Entries of the matrix: where from, where to. The first ones belong to
-      // the lower triangle.
-      int first_entry = 0, end_of_lower = 0, end_of_entries = 0;
-    };
-
     // Contributions of the fronts of every other level, the last one on top.
     struct Stack
     {
-      std::vector<double> values;
+      std::vector<Number> values;
       std::size_t         top = 0;
     };
 
-    // Set `fronts` but for the entries, and `order` to its final values.
-    void
-    make_tree(const CSRMatrix &A, std::vector<int> &order);
-    void
-    find_entries(const CSRMatrix &A);
+    bool
+    is_own(const int front) const;
+    // Whether the front that it is passed to is that of another process.
+    bool
+    is_passed_on(const Front &front) const;
 
     void
-    assemble(const Front &front, const std::vector<double> &values);
+    find_given(const Front &front);
     void
-    add_contributions(const Front &front, double *contribution);
-
+    assemble(const int front, const std::vector<double> &values);
+    void
+    add_given(const Front &front, Number *contribution) const;
     template <typename Eliminate>
     bool
     eliminate_all(const std::vector<double> &values,
                   const Eliminate           &eliminate);
 
-    int                 n_unknowns = 0;
-    std::vector<int>    position; // in the order of elimination, from 0
-    std::vector<Front>  fronts;   // children before parents
-    std::vector<int>    sources, targets;
-    std::vector<double> factors;
-    std::vector<int>    exchanges; // of rows, one per unknown
-    Stack               stacks[2];
-    bool                is_symmetric = false;
-    std::vector<double> permuted, changes; // of solve()
+    void
+    solve_forward(Number *y);
+    void
+    solve_backward(Number *y);
+
+    // Messages belong to a front whose parent is that of another process.
+    void
+    send(const int front, const unsigned int to, std::vector<Number> message);
+    void
+    receive(const int          front,
+            const unsigned int from,
+            Number            *message,
+            const std::size_t  size) const;
+    void
+    wait_until_sent();
+
+    const Ranks                            ranks;
+    const std::shared_ptr<const FrontTree> tree;
+    FrontEntries                           entries;
+    std::vector<std::size_t>               begin; // of fronts in the factors
+    std::vector<Number>                    factors;
+    std::vector<int>                       exchanges; // of rows, one per pivot
+    Stack                                  stacks[2];
+    bool                                   is_symmetric = false;
+
+    // What the children of the present front have left, and what of it has
+    // come from other processes.
+    std::vector<const Number *>      given;
+    std::vector<std::vector<Number>> received;
+    // On their way.
+    std::vector<std::vector<Number>> messages;
+    std::vector<MPI_Request>         requests;
+
+    std::vector<bool>   is_own_place;      // in the order of elimination
+    std::vector<Number> permuted, changes; // of solve()
   };
+
+  extern template class Fronts<double>;
+  extern template class Fronts<float>;
 } // namespace NPT
 
 #endif

@@ -30,7 +30,7 @@ namespace NPT
       ML         ///< GMRES with smoothed aggregation
     };
 
-    /// Of the factors of MUMPS.
+    /// Of the factors of fronts and MUMPS.
     enum class Precision
     {
       automatic, ///< single where it pays
@@ -76,16 +76,16 @@ namespace NPT
   /**
    * Solve A x = b for a general (friction: unsymmetric) sparse matrix. With
    * several processes A is the sum of what they have: each hands over what it
-   * has assembled, in a matrix of full size whose pattern has only that. MUMPS
-   * alone takes such a matrix; the others work on one process.
+   * has assembled, in a matrix of full size whose pattern has only that. Fronts
+   * and MUMPS take such a matrix; the others work on one process.
    *
    * What depends on the pattern only (ordering, symbolic factorization, copies
    * of the index arrays) is kept as long as CSRMatrix::pattern_id() stays the
    * same; the values are overwritten in place.
    *
-   * - automatic: on one process and up to 4000 unknowns Fronts, at two
-   *   thirds of the time of MUMPS with 1,316 unknowns; a matrix with pivots
-   *   too small for them is left to MUMPS.
+   * - automatic: up to 30,000 unknowns Fronts, at two thirds of the time of
+   *   MUMPS with 1,316 unknowns and three quarters with 12,630; a matrix with
+   *   pivots too small for them, or too large for the memory, is left to MUMPS.
    *   Else MUMPS, the fastest one of the others in all sizes tried, up to
    *   76,000 unknowns. If it finds, before it takes it, that its factors need
    *   more memory than there is, they go to the disk; if that does not do, ILU
@@ -94,9 +94,10 @@ namespace NPT
    *   product) and one step of iterative refinement
    *   is done only if it exceeds 1e-12 |b|: a solution that is already at
    *   round-off level gains nothing from it.
-   * - MUMPS with factors of single precision (automatic: from 5,000 unknowns
-   *   on): half the memory; about as fast as those of double precision at 2,500
-   *   unknowns, and in 65 % of the time at 12,630 (both with the solutions).
+   * - Factors of single precision (automatic: from 5,000 unknowns on), of
+   *   fronts or MUMPS: half the memory; those of MUMPS take the time of double
+   *   precision at 2,500 unknowns, and 65 % of it at 12,630 (both with the
+   *   solutions).
    *   They are the preconditioner of GMRES in double precision, which takes 2
    *   to 4 iterations to @f$|b - A x| \le 10^{-12} |b|@f$, or to round-off,
    *   @f$|b - A x| \le 10^{-15} \big| |A| |x| \big|@f$. If the matrix magnifies

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The tree of fronts, from the pattern of a matrix.
 
-#include <npt_dealii/linear_algebra/fronts.h>
+#include <npt_dealii/linear_algebra/front_tree.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -160,52 +161,91 @@ namespace NPT
 
 
 
-  void
-  Fronts::analyze(const CSRMatrix &A, const std::vector<int> &order)
+  namespace
   {
-    n_unknowns = A.n();
-    position.resize(n_unknowns);
-    if (order.empty())
-      std::iota(position.begin(), position.end(), 0);
-    else
-      for (int i = 0; i < n_unknowns; ++i)
-        position[i] = order[i] - 1;
-    make_tree(A, position);
-    find_entries(A);
-    exchanges.assign(n_unknowns, 0);
+    /// Children before parents, each child right before its parent's or the
+    /// next child's family.
+    std::vector<int>
+    sequence_of(const std::vector<Group> &groups)
+    {
+      std::vector<int> sequence, open;
+      for (int g = groups.size() - 1; g >= 0; --g)
+        if (groups[g].parent < 0)
+          open.push_back(g);
+      // Parents before children, from the last one to the first one.
+      while (!open.empty())
+        {
+          const int g = open.back();
+          open.pop_back();
+          sequence.push_back(g);
+          open.insert(open.end(),
+                      groups[g].children.begin(),
+                      groups[g].children.end());
+        }
+      std::reverse(sequence.begin(), sequence.end());
+      return sequence;
+    }
+
+
+
+    /// `changed` are places in the order; set those of a front in its parent.
+    void
+    set_places(Front &front, const Front &parent)
+    {
+      for (const int row : front.changed)
+        front.places.push_back(row < parent.first + parent.n ?
+                                 row - parent.first :
+                                 parent.n +
+                                   (std::lower_bound(parent.changed.begin(),
+                                                     parent.changed.end(),
+                                                     row) -
+                                    parent.changed.begin()));
+    }
+  } // namespace
+
+
+
+  double
+  Front::operations() const
+  {
+    const double pivots = n, others = m - n;
+    return pivots * (2. / 3. * pivots * pivots + 2 * pivots * others +
+                     2 * others * others);
   }
 
 
 
-  void
-  Fronts::make_tree(const CSRMatrix &A, std::vector<int> &order)
+  std::vector<int>
+  FrontTree::front_of_place() const
   {
-    std::vector<std::vector<int>> rows   = rows_of_factor(A, order);
+    std::vector<int> front_of(position.size());
+    for (unsigned int f = 0; f < fronts.size(); ++f)
+      std::fill_n(front_of.begin() + fronts[f].first, fronts[f].n, f);
+    return front_of;
+  }
+
+
+
+  FrontTree
+  make_front_tree(const CSRMatrix &A, const std::vector<int> &order)
+  {
+    FrontTree tree;
+    tree.position.resize(A.n());
+    if (order.empty())
+      std::iota(tree.position.begin(), tree.position.end(), 0);
+    else
+      for (unsigned int i = 0; i < A.n(); ++i)
+        tree.position[i] = order[i] - 1;
+
+    std::vector<std::vector<int>> rows   = rows_of_factor(A, tree.position);
     std::vector<Group>            groups = equal_columns(rows);
     join(groups);
+    const std::vector<int> sequence = sequence_of(groups);
 
-    // Children before parents, each child right before its parent's or the next
-    // child's family.
-    std::vector<int> sequence, open;
-    for (int g = groups.size() - 1; g >= 0; --g)
-      if (groups[g].parent < 0)
-        open.push_back(g);
-    // Parents before children, from the last one to the first one.
-    while (!open.empty())
-      {
-        const int g = open.back();
-        open.pop_back();
-        sequence.push_back(g);
-        open.insert(open.end(),
-                    groups[g].children.begin(),
-                    groups[g].children.end());
-      }
-    std::reverse(sequence.begin(), sequence.end());
-
-    fronts.assign(sequence.size(), Front());
-    std::vector<int> new_place(n_unknowns), front_of_group(groups.size(), -1);
-    int              next  = 0;
-    std::size_t      begin = 0;
+    std::vector<Front> &fronts = tree.fronts;
+    fronts.resize(sequence.size());
+    std::vector<int> new_place(A.n()), front_of_group(groups.size(), -1);
+    int              next = 0;
     for (unsigned int f = 0; f < fronts.size(); ++f)
       {
         const Group &group          = groups[sequence[f]];
@@ -213,8 +253,6 @@ namespace NPT
         fronts[f].first             = next;
         fronts[f].n                 = group.pivots.size();
         fronts[f].m                 = fronts[f].n + group.changed.size();
-        fronts[f].begin             = begin;
-        begin += std::size_t(fronts[f].n) * (2 * fronts[f].m - fronts[f].n);
         for (const int pivot : group.pivots)
           new_place[pivot] = next++;
         for (const int child : group.children)
@@ -225,8 +263,7 @@ namespace NPT
           }
         std::sort(fronts[f].children.begin(), fronts[f].children.end());
       }
-    factors.resize(begin);
-    for (int &place : order)
+    for (int &place : tree.position)
       place = new_place[place];
 
     for (int f = fronts.size() - 1; f >= 0; --f)
@@ -237,93 +274,85 @@ namespace NPT
         std::sort(front.changed.begin(), front.changed.end());
         if (front.parent < 0)
           continue;
-        const Front &parent = fronts[front.parent];
-        front.level         = parent.level + 1;
-        for (const int row : front.changed)
-          front.places.push_back(row < parent.first + parent.n ?
-                                   row - parent.first :
-                                   parent.n +
-                                     (std::lower_bound(parent.changed.begin(),
-                                                       parent.changed.end(),
-                                                       row) -
-                                      parent.changed.begin()));
+        front.level = fronts[front.parent].level + 1;
+        set_places(front, fronts[front.parent]);
       }
-
-    // What a stack must hold at most.
-    std::size_t tops[2] = {0, 0}, highest[2] = {0, 0};
-    int         largest = 0;
-    for (const Front &front : fronts)
-      {
-        for (const int c : front.children)
-          tops[fronts[c].level % 2] -=
-            fronts[c].changed.size() * fronts[c].changed.size();
-        std::size_t &top = tops[front.level % 2];
-        top += front.changed.size() * front.changed.size();
-        highest[front.level % 2] = std::max(highest[front.level % 2], top);
-        largest                  = std::max(largest, front.m);
-      }
-    for (const int parity : {0, 1})
-      stacks[parity].values.resize(highest[parity]);
-    permuted.resize(n_unknowns);
-    changes.resize(largest);
+    return tree;
   }
 
 
 
   void
-  Fronts::find_entries(const CSRMatrix &A)
+  deal_out(FrontTree &tree, const unsigned int n_processes)
   {
-    std::vector<int> front_of(n_unknowns);
-    for (unsigned int f = 0; f < fronts.size(); ++f)
-      std::fill_n(front_of.begin() + fronts[f].first, fronts[f].n, f);
-
-    // Sorted by counting: lower and upper entries of each front.
-    const auto group_of = [&](const int row, const int column) {
-      return 2 * front_of[std::min(row, column)] + (row < column ? 1 : 0);
-    };
-    std::vector<int> next(2 * fronts.size() + 1, 0);
-    for (int i = 0; i < n_unknowns; ++i)
-      for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-        ++next[group_of(position[i], position[A.columns[k]]) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    for (unsigned int f = 0; f < fronts.size(); ++f)
+    std::vector<Front> &fronts   = tree.fronts;
+    const int           n_fronts = fronts.size();
+    // Of each front and all below.
+    std::vector<double> work(n_fronts, 0.);
+    std::vector<int>    subtrees; // that lie below no other one
+    for (int f = 0; f < n_fronts; ++f)
       {
-        fronts[f].first_entry    = next[2 * f];
-        fronts[f].end_of_lower   = next[2 * f + 1];
-        fronts[f].end_of_entries = next[2 * f + 2];
+        work[f] += fronts[f].operations();
+        if (fronts[f].parent >= 0)
+          work[fronts[f].parent] += work[f];
+        else
+          subtrees.push_back(f);
       }
 
-    sources.resize(A.n_nonzeros());
-    targets.resize(A.n_nonzeros());
-    for (int i = 0; i < n_unknowns; ++i)
-      for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-        {
-          const int    row = position[i], column = position[A.columns[k]];
-          const int    group = group_of(row, column);
-          const Front &front = fronts[group / 2];
-          const auto   local = [&](const int place) {
-            return place < front.first + front.n ?
-                       place - front.first :
-                       front.n +
-                       static_cast<int>(std::lower_bound(front.changed.begin(),
-                                                         front.changed.end(),
-                                                         place) -
-                                        front.changed.begin());
-          };
-          const int r = local(row), c = local(column), at = next[group]++;
-          sources[at] = k;
-          targets[at] = c < front.n ?
-                          c * front.m + r :
-                          front.n * front.m + (c - front.n) * front.n + r;
-        }
-  }
+    double                    shortest = std::numeric_limits<double>::max();
+    double                    above    = 0; // operations
+    std::vector<unsigned int> owner(n_fronts, 0);
+    while (!subtrees.empty())
+      {
+        // Largest first, each to the process that has least.
+        std::sort(subtrees.begin(),
+                  subtrees.end(),
+                  [&](const int a, const int b) {
+                    return work[a] > work[b] || (work[a] == work[b] && a < b);
+                  });
+        std::vector<double>       loads(n_processes, 0.);
+        std::vector<unsigned int> taker(n_fronts, n_processes);
+        for (const int f : subtrees)
+          {
+            const auto least = std::min_element(loads.begin(), loads.end());
+            *least += work[f];
+            taker[f] = least - loads.begin();
+          }
+        const double time =
+          above + *std::max_element(loads.begin(), loads.end());
+        if (time < shortest)
+          {
+            shortest = time;
+            owner    = taker;
+          }
+        // More pieces, unless what is above them takes too long already.
+        const int largest = subtrees.front();
+        above += fronts[largest].operations();
+        if (above >= shortest || fronts[largest].children.empty())
+          break;
+        subtrees.erase(subtrees.begin());
+        subtrees.insert(subtrees.end(),
+                        fronts[largest].children.begin(),
+                        fronts[largest].children.end());
+      }
 
+    for (int f = n_fronts - 1; f >= 0; --f)
+      fronts[f].owner = owner[f] < n_processes || fronts[f].parent < 0 ?
+                          owner[f] :
+                          fronts[fronts[f].parent].owner;
+    for (int f = 0; f < n_fronts; ++f)
+      if (fronts[f].owner == n_processes)
+        fronts[f].owner =
+          fronts[*std::max_element(fronts[f].children.begin(),
+                                   fronts[f].children.end(),
+                                   [&](const int a, const int b) {
+                                     return work[a] < work[b];
+                                   })]
+            .owner;
 
-
-  double
-  Fronts::gigabytes() const
-  {
-    return 1e-9 * sizeof(double) *
-           (factors.size() + stacks[0].values.size() + stacks[1].values.size());
+    int n_messages = 0;
+    for (Front &front : fronts)
+      if (front.parent >= 0 && fronts[front.parent].owner != front.owner)
+        front.message = n_messages++;
   }
 } // namespace NPT

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Defines the elimination tree of a sparse matrix, with its columns joined to
+// fronts, and who works on them.
+
+#ifndef npt_dealii_linear_algebra_front_tree_h
+#define npt_dealii_linear_algebra_front_tree_h
+
+#include <npt_dealii/linear_algebra/csr_matrix.h>
+
+#include <vector>
+
+namespace NPT
+{
+  /// Unknowns that are eliminated together, and what that changes.
+  struct Front
+  {
+    int first = 0; ///< of its pivots, in the order of elimination
+    int n     = 0; ///< pivots
+    int m     = 0; ///< rows: pivots and the unknowns that these change
+    /// Of the unknowns that change: place in the order, ascending.
+    std::vector<int> changed;
+    /// Of the front that they are passed to, -1: there are none. `places` are
+    /// their rows there, ascending.
+    int              parent = -1;
+    std::vector<int> places;
+    std::vector<int> children;  ///< ascending
+    int              level = 0; ///< distance from the root
+    unsigned int     owner = 0; ///< the process that eliminates
+    /// Of the messages about it; fronts that belong to the process of their
+    /// parent have none.
+    int message = -1;
+
+    std::size_t
+    n_changed() const
+    {
+      return changed.size();
+    }
+    /// Multiplications and additions of L U.
+    double
+    operations() const;
+  };
+
+
+
+  struct FrontTree
+  {
+    std::vector<int>   position; ///< of an unknown in the order, from 0
+    std::vector<Front> fronts;   ///< children before parents
+
+    /// Of the unknown at each place of the order.
+    std::vector<int>
+    front_of_place() const;
+  };
+
+
+
+  /**
+   * @param A     Only its pattern is read; it need not be symmetric.
+   * @param order Position (from 1) of each unknown in the order of elimination,
+   *   as of nested_dissection(); empty: as they are numbered. The order of the
+   *   tree is one with the same factors.
+   */
+  FrontTree
+  make_front_tree(const CSRMatrix &A, const std::vector<int> &order);
+
+  /**
+   * Deal the fronts out to processes: whole subtrees, so that the largest sum
+   * of operations is small (Geist, Ng 1989), and what is above them to the
+   * process of the larger child. Every process gets the same result.
+   */
+  void
+  deal_out(FrontTree &tree, const unsigned int n_processes);
+} // namespace NPT
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Claims of the tree of fronts and its shares.
+
+#include <npt_dealii/linear_algebra/elimination_order.h>
+#include <npt_dealii/linear_algebra/front_tree.h>
+#include <npt_dealii/linear_algebra/fronts.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "elastic_block.h"
+
+using namespace NPT;
+using dealii::Vector;
+
+namespace
+{
+  FrontTree
+  tree_of(const CSRMatrix &A, const unsigned int n_processes)
+  {
+    FrontTree tree = make_front_tree(A, nested_dissection(A, true, Ranks()));
+    deal_out(tree, n_processes);
+    return tree;
+  }
+} // namespace
+
+TEST_CASE("Every unknown is the pivot of one front, and its parent holds all "
+          "that the front changes",
+          "[fronts]")
+{
+  const CSRMatrix A    = make_elastic_block({{6, 5, 2}}, 2, 1.).matrix;
+  const FrontTree tree = tree_of(A, 1);
+  int             next = 0;
+  for (const Front &front : tree.fronts)
+    {
+      CHECK(front.first == next);
+      next += front.n;
+      if (front.parent < 0)
+        {
+          CHECK(front.changed.empty());
+          continue;
+        }
+      const Front &parent = tree.fronts[front.parent];
+      for (unsigned int k = 0; k < front.changed.size(); ++k)
+        {
+          const int place = front.places[k];
+          CHECK(front.changed[k] == (place < parent.n ?
+                                       parent.first + place :
+                                       parent.changed[place - parent.n]));
+        }
+    }
+  CHECK(next == static_cast<int>(A.n()));
+}
+
+TEST_CASE("A process that has a front has all below it but where work above "
+          "them was divided, and shares of two differ by less than a half",
+          "[fronts]")
+{
+  const CSRMatrix A         = make_elastic_block({{12, 12, 2}}, 2, 1.).matrix;
+  const FrontTree tree      = tree_of(A, 2);
+  double          shares[2] = {0, 0};
+  for (const Front &front : tree.fronts)
+    shares[front.owner] += front.operations();
+  CAPTURE(shares[0], shares[1]);
+  CHECK(std::min(shares[0], shares[1]) > 0.5 * std::max(shares[0], shares[1]));
+
+  // From the leaves up, a front of another process than a child's stays rare.
+  const auto n_messages =
+    std::count_if(tree.fronts.begin(), tree.fronts.end(), [](const Front &f) {
+      return f.message >= 0;
+    });
+  CHECK(n_messages > 0);
+  CHECK(n_messages < 10);
+}
+
+TEST_CASE("Fronts of single precision solve to single precision", "[fronts]")
+{
+  for (const double unsymmetric : {0., 0.3})
+    {
+      const CSRMatrix A =
+        make_elastic_block({{6, 5, 2}}, 2, 1., unsymmetric).matrix;
+      const auto     tree = std::make_shared<FrontTree>(tree_of(A, 1));
+      Fronts<double> double_fronts(A, tree);
+      Fronts<float>  single_fronts(A, tree);
+      Vector<double> x(A.n()), y;
+      for (unsigned int i = 0; i < A.n(); ++i)
+        x[i] = 1. + i % 7;
+      y = x;
+      if (unsymmetric > 0)
+        {
+          CHECK_FALSE(double_fronts.factorize_positive_definite(
+            std::vector<double>(A.values.size(), 0.)));
+          REQUIRE(double_fronts.factorize_general(A.values));
+          REQUIRE(single_fronts.factorize_general(A.values));
+        }
+      else
+        {
+          REQUIRE(double_fronts.factorize_positive_definite(A.values));
+          REQUIRE(single_fronts.factorize_positive_definite(A.values));
+        }
+      double_fronts.solve(x);
+      single_fronts.solve(y);
+      y -= x;
+      CHECK(y.l2_norm() > 1e-12 * x.l2_norm());
+      CHECK(y.l2_norm() < 1e-4 * x.l2_norm());
+      CHECK(2 * Fronts<float>::gigabytes(*tree, 0) ==
+            Fronts<double>::gigabytes(*tree, 0));
+    }
+}
