@@ -184,9 +184,8 @@ namespace NPT
       double
       gigabytes() const
       {
-        return precision.is_single() ?
-                 Fronts<float>::gigabytes(*tree, ranks.rank()) :
-                 Fronts<double>::gigabytes(*tree, ranks.rank());
+        return precision.is_single() ? Fronts<float>::gigabytes(*tree, ranks) :
+                                       Fronts<double>::gigabytes(*tree, ranks);
       }
 
       void

@@ -30,7 +30,8 @@ namespace NPT
                        const FrontTree &tree,
                        const Ranks     &ranks_of_run)
   {
-    ranks = ranks_of_run;
+    ranks         = ranks_of_run;
+    block_columns = {static_cast<int>(ranks.n())};
     std::vector<Place> places;
     places.reserve(A.n_nonzeros());
     for (unsigned int i = 0; i < A.n(); ++i)
@@ -49,7 +50,10 @@ namespace NPT
   {
     const std::vector<int> front_of = tree.front_of_place();
     const auto             owner    = [&](const Place &place) {
-      return tree.fronts[front_of[std::min(place.row, place.column)]].owner;
+      const Front &front =
+        tree.fronts[front_of[std::min(place.row, place.column)]];
+      return front.is_shared ? block_columns.owner(front.local(place.column)) :
+                                              static_cast<int>(front.owner);
     };
     n_sent.assign(ranks.n(), 0);
     for (const Place &place : places)
@@ -110,26 +114,32 @@ namespace NPT
       ranges[f] = {next[2 * f], next[2 * f + 1], next[2 * f + 2]};
 
     source.resize(places.size());
-    target.resize(places.size());
     for (unsigned int k = 0; k < places.size(); ++k)
+      source[next[group_of(places[k])]++] = k;
+
+    target.resize(places.size());
+    std::vector<int> row_of_changed(front_of.size());
+    for (unsigned int f = 0; f < n_fronts; ++f)
       {
-        const int    group = group_of(places[k]);
-        const Front &front = tree.fronts[group / 2];
-        const auto   local = [&](const int place) {
-          return place < front.first + front.n ?
-                     place - front.first :
-                     front.n +
-                     static_cast<int>(std::lower_bound(front.changed.begin(),
-                                                       front.changed.end(),
-                                                       place) -
-                                      front.changed.begin());
+        const Front &front = tree.fronts[f];
+        for (unsigned int r = 0; r < front.n_changed(); ++r)
+          row_of_changed[front.changed[r]] = front.n + r;
+        const auto local = [&](const int place) {
+          return place < front.first + front.n ? place - front.first :
+                                                 row_of_changed[place];
         };
-        const int row = local(places[k].row), column = local(places[k].column),
-                  at = next[group]++;
-        source[at]   = k;
-        target[at]   = column < front.n ?
-                         column * front.m + row :
-                         front.n * front.m + (column - front.n) * front.n + row;
+        for (int e = ranges[f].begin; e < ranges[f].end; ++e)
+          {
+            const int row    = local(places[source[e]].row),
+                      column = local(places[source[e]].column);
+            if (front.is_shared)
+              target[e] = block_columns.local(column) * front.m + row;
+            else if (column < front.n)
+              target[e] = column * front.m + row;
+            else
+              target[e] =
+                front.n * front.m + (column - front.n) * front.n + row;
+          }
       }
   }
 

@@ -12,22 +12,72 @@ namespace NPT
 {
   namespace
   {
+    /// Unknowns that follow one another in the order of elimination and have
+    /// the same neighbors, as the components of a control point.
+    struct Blocks
+    {
+      std::vector<int> first;    // place of each, last the number of unknowns
+      std::vector<int> of_place; // block
+
+      int
+      n() const
+      {
+        return first.size() - 1;
+      }
+      int
+      size(const int block) const
+      {
+        return first[block + 1] - first[block];
+      }
+    };
+
+    Blocks
+    find_blocks(const CSRMatrix &A, const std::vector<int> &position)
+    {
+      const int        n = A.n();
+      std::vector<int> unknown(n);
+      for (int i = 0; i < n; ++i)
+        unknown[position[i]] = i;
+      const auto are_equal = [&](const int i, const int j) {
+        return std::equal(A.columns.begin() + A.row_start[i],
+                          A.columns.begin() + A.row_start[i + 1],
+                          A.columns.begin() + A.row_start[j],
+                          A.columns.begin() + A.row_start[j + 1]) &&
+               A.position(i, j) >= 0;
+      };
+      Blocks blocks;
+      for (int place = 0; place < n; ++place)
+        {
+          if (place == 0 || !are_equal(unknown[place - 1], unknown[place]))
+            blocks.first.push_back(place);
+          blocks.of_place.push_back(blocks.first.size() - 1);
+        }
+      blocks.first.push_back(n);
+      return blocks;
+    }
+
+
+
     /**
-     * Return for each column of L, in the order of elimination, the rows below
-     * the diagonal that are not zero, ascending: those of the matrix and those
-     * of the columns whose first row this one is.
+     * Return for each block of columns of L, in the order of elimination, the
+     * blocks of rows below it that are not zero, ascending: those of the matrix
+     * and those of the blocks whose first row this one is.
      */
     std::vector<std::vector<int>>
-    rows_of_factor(const CSRMatrix &A, const std::vector<int> &position)
+    rows_of_factor(const CSRMatrix        &A,
+                   const std::vector<int> &position,
+                   const Blocks           &blocks)
     {
-      const int                     n = A.n();
+      const int                     n = blocks.n();
       std::vector<std::vector<int>> rows(n), first_row_is(n);
-      for (int i = 0; i < n; ++i)
+      for (unsigned int i = 0; i < A.n(); ++i)
         for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
           {
             const auto [a, b] =
-              std::minmax(position[i], position[A.columns[k]]);
-            if (a != b)
+              std::minmax(blocks.of_place[position[i]],
+                          blocks.of_place[position[A.columns[k]]]);
+            // Most repetitions come one after the other.
+            if (a != b && (rows[a].empty() || rows[a].back() != b))
               rows[a].push_back(b);
           }
       std::vector<int> seen_by(n, -1);
@@ -56,20 +106,23 @@ namespace NPT
 
 
 
-    // Columns of L with (nearly) the same rows below them.
+    // Blocks of columns of L with (nearly) the same rows below them.
     struct Group
     {
-      std::vector<int> pivots;  // in the order of elimination
-      std::vector<int> changed; // rows below, ascending
-      int              parent = -1;
+      std::vector<int> pivots;  // blocks, in the order of elimination
+      std::vector<int> changed; // blocks of rows below, ascending
+      // Unknowns in them.
+      double           n_pivots  = 0;
+      double           n_changed = 0;
+      int              parent    = -1;
       std::vector<int> children;
       double           n_zeros = 0;     // stored and not needed
       bool             is_part = false; // of its parent
     };
 
-    /// Neighboring columns of which the second has the rows of the first.
+    /// Neighboring blocks of which the second has the rows of the first.
     std::vector<Group>
-    equal_columns(std::vector<std::vector<int>> &rows)
+    equal_columns(std::vector<std::vector<int>> &rows, const Blocks &blocks)
     {
       const int          n = rows.size();
       std::vector<Group> groups;
@@ -82,12 +135,15 @@ namespace NPT
           if (!goes_on)
             groups.emplace_back();
           groups.back().pivots.push_back(j);
+          groups.back().n_pivots += blocks.size(j);
           group_of[j] = groups.size() - 1;
         }
       for (unsigned int g = 0; g < groups.size(); ++g)
         {
           Group &group  = groups[g];
           group.changed = std::move(rows[group.pivots.back()]);
+          for (const int block : group.changed)
+            group.n_changed += blocks.size(block);
           if (!group.changed.empty())
             {
               group.parent = group_of[group.changed.front()];
@@ -108,9 +164,6 @@ namespace NPT
     void
     join(std::vector<Group> &groups)
     {
-      const auto size = [](const auto &list) {
-        return static_cast<double>(list.size());
-      };
       for (Group &parent : groups)
         for (bool joined = true; joined;)
           {
@@ -121,9 +174,8 @@ namespace NPT
             for (const int c : parent.children)
               {
                 const double zeros =
-                  size(groups[c].pivots) *
-                    (size(parent.pivots) + size(parent.changed) -
-                     size(groups[c].changed)) +
+                  groups[c].n_pivots *
+                    (parent.n_pivots + parent.n_changed - groups[c].n_changed) +
                   groups[c].n_zeros;
                 if (best < 0 || zeros < least)
                   {
@@ -134,10 +186,10 @@ namespace NPT
             if (best < 0)
               break;
             Group       &child    = groups[best];
-            const double n_pivots = size(child.pivots) + size(parent.pivots);
+            const double n_pivots = child.n_pivots + parent.n_pivots;
             const double zeros    = least + parent.n_zeros;
             const double stored =
-              n_pivots * (0.5 * n_pivots + size(parent.changed));
+              n_pivots * (0.5 * n_pivots + parent.n_changed);
             const double share = zeros / stored;
             if (share <= 0.05 || (n_pivots <= 48 && share <= 0.2) ||
                 (n_pivots <= 16 && share <= 0.5))
@@ -146,7 +198,8 @@ namespace NPT
                 parent.pivots.insert(parent.pivots.begin(),
                                      child.pivots.begin(),
                                      child.pivots.end());
-                parent.n_zeros = zeros;
+                parent.n_pivots = n_pivots;
+                parent.n_zeros  = zeros;
                 parent.children.erase(std::find(parent.children.begin(),
                                                 parent.children.end(),
                                                 best));
@@ -192,16 +245,21 @@ namespace NPT
     void
     set_places(Front &front, const Front &parent)
     {
-      for (const int row : front.changed)
-        front.places.push_back(row < parent.first + parent.n ?
-                                 row - parent.first :
-                                 parent.n +
-                                   (std::lower_bound(parent.changed.begin(),
-                                                     parent.changed.end(),
-                                                     row) -
-                                    parent.changed.begin()));
+      for (const int place : front.changed)
+        front.places.push_back(parent.local(place));
     }
   } // namespace
+
+
+
+  int
+  Front::local(const int place) const
+  {
+    if (place < first + n)
+      return place - first;
+    return n + (std::lower_bound(changed.begin(), changed.end(), place) -
+                changed.begin());
+  }
 
 
 
@@ -237,8 +295,10 @@ namespace NPT
       for (unsigned int i = 0; i < A.n(); ++i)
         tree.position[i] = order[i] - 1;
 
-    std::vector<std::vector<int>> rows   = rows_of_factor(A, tree.position);
-    std::vector<Group>            groups = equal_columns(rows);
+    const Blocks                  blocks = find_blocks(A, tree.position);
+    std::vector<std::vector<int>> rows =
+      rows_of_factor(A, tree.position, blocks);
+    std::vector<Group> groups = equal_columns(rows, blocks);
     join(groups);
     const std::vector<int> sequence = sequence_of(groups);
 
@@ -251,10 +311,11 @@ namespace NPT
         const Group &group          = groups[sequence[f]];
         front_of_group[sequence[f]] = f;
         fronts[f].first             = next;
-        fronts[f].n                 = group.pivots.size();
-        fronts[f].m                 = fronts[f].n + group.changed.size();
-        for (const int pivot : group.pivots)
-          new_place[pivot] = next++;
+        fronts[f].n                 = group.n_pivots;
+        fronts[f].m                 = fronts[f].n + group.n_changed;
+        for (const int block : group.pivots)
+          for (int k = 0; k < blocks.size(block); ++k)
+            new_place[blocks.first[block] + k] = next++;
         for (const int child : group.children)
           {
             const int c = front_of_group[child];
@@ -269,8 +330,9 @@ namespace NPT
     for (int f = fronts.size() - 1; f >= 0; --f)
       {
         Front &front = fronts[f];
-        for (const int row : groups[sequence[f]].changed)
-          front.changed.push_back(new_place[row]);
+        for (const int block : groups[sequence[f]].changed)
+          for (int k = 0; k < blocks.size(block); ++k)
+            front.changed.push_back(new_place[blocks.first[block] + k]);
         std::sort(front.changed.begin(), front.changed.end());
         if (front.parent < 0)
           continue;
@@ -282,9 +344,16 @@ namespace NPT
 
 
 
+  // Time of a front on n processes, in parts of an n-th of that on one, about.
+  constexpr double price_of_sharing = 1.3;
+
+
+
   void
   deal_out(FrontTree &tree, const unsigned int n_processes)
   {
+    if (n_processes == 1)
+      return;
     std::vector<Front> &fronts   = tree.fronts;
     const int           n_fronts = fronts.size();
     // Of each front and all below.
@@ -318,18 +387,17 @@ namespace NPT
             *least += work[f];
             taker[f] = least - loads.begin();
           }
-        const double time =
-          above + *std::max_element(loads.begin(), loads.end());
+        const double time = price_of_sharing * above / n_processes +
+                            *std::max_element(loads.begin(), loads.end());
         if (time < shortest)
           {
             shortest = time;
             owner    = taker;
           }
-        // More pieces, unless what is above them takes too long already.
         const int largest = subtrees.front();
-        above += fronts[largest].operations();
-        if (above >= shortest || fronts[largest].children.empty())
+        if (fronts[largest].children.empty())
           break;
+        above += fronts[largest].operations();
         subtrees.erase(subtrees.begin());
         subtrees.insert(subtrees.end(),
                         fronts[largest].children.begin(),
@@ -337,22 +405,11 @@ namespace NPT
       }
 
     for (int f = n_fronts - 1; f >= 0; --f)
-      fronts[f].owner = owner[f] < n_processes || fronts[f].parent < 0 ?
-                          owner[f] :
-                          fronts[fronts[f].parent].owner;
-    for (int f = 0; f < n_fronts; ++f)
-      if (fronts[f].owner == n_processes)
-        fronts[f].owner =
-          fronts[*std::max_element(fronts[f].children.begin(),
-                                   fronts[f].children.end(),
-                                   [&](const int a, const int b) {
-                                     return work[a] < work[b];
-                                   })]
-            .owner;
-
-    int n_messages = 0;
-    for (Front &front : fronts)
-      if (front.parent >= 0 && fronts[front.parent].owner != front.owner)
-        front.message = n_messages++;
+      {
+        const bool is_below =
+          fronts[f].parent >= 0 && !fronts[fronts[f].parent].is_shared;
+        fronts[f].owner = is_below ? fronts[fronts[f].parent].owner : owner[f];
+        fronts[f].is_shared = fronts[f].owner == n_processes;
+      }
   }
 } // namespace NPT

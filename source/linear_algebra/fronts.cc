@@ -1,102 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Factorization and solution with a tree of fronts.
+// Factorization with a tree of fronts.
 
+#include <npt_dealii/linear_algebra/dense_kernels.h>
 #include <npt_dealii/linear_algebra/fronts.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/lapack_templates.h>
 
+#include <mpi.h>
+
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
-#include <utility>
 
 namespace NPT
 {
+  using DenseKernels::one;
+
   namespace
   {
-    template <typename Number>
-    using Exchanges = void(const int *,
-                           Number *,
-                           const int *,
-                           const int *,
-                           const int *,
-                           const int *,
-                           const int *);
-    template <typename Number>
-    using TriangularMatrix = void(const char *,
-                                  const char *,
-                                  const char *,
-                                  const char *,
-                                  const int *,
-                                  const int *,
-                                  const Number *,
-                                  const Number *,
-                                  const int *,
-                                  Number *,
-                                  const int *);
-    template <typename Number>
-    using TriangularVector = void(const char *,
-                                  const char *,
-                                  const char *,
-                                  const int *,
-                                  const Number *,
-                                  const int *,
-                                  Number *,
-                                  const int *);
-  } // namespace
-} // namespace NPT
-
-// What deal.II does not declare.
-extern "C"
-{
-  NPT::Exchanges<double>        dlaswp_;
-  NPT::Exchanges<float>         slaswp_;
-  NPT::TriangularMatrix<double> dtrsm_;
-  NPT::TriangularMatrix<float>  strsm_;
-  NPT::TriangularVector<double> dtrsv_;
-  NPT::TriangularVector<float>  strsv_;
-}
-
-namespace NPT
-{
-  namespace
-  {
-    const int one = 1;
-
-    template <typename Number>
-    struct Blas
-    {
-      static constexpr bool is_double = std::is_same<Number, double>::value;
-
-      static constexpr Number plus = 1, minus = -1, zero = 0;
-
-      static constexpr auto
-      laswp()
-      {
-        if constexpr (is_double)
-          return &dlaswp_;
-        else
-          return &slaswp_;
-      }
-      static constexpr auto
-      trsm()
-      {
-        if constexpr (is_double)
-          return &dtrsm_;
-        else
-          return &strsm_;
-      }
-      static constexpr auto
-      trsv()
-      {
-        if constexpr (is_double)
-          return &dtrsv_;
-        else
-          return &strsv_;
-      }
-    };
-
     // Beyond it the residual of a solution may be above 1e-10, and one step of
     // refinement no longer leaves round-off; with factors of single precision
     // an iteration with them no longer gains a digit.
@@ -126,32 +47,39 @@ namespace NPT
 
 
 
-    /// What a process has to keep.
+    /// Numbers that a process has to keep.
     struct Need
     {
-      std::size_t factors = 0, stacks[2] = {0, 0}, messages = 0;
+      std::size_t factors = 0, stacks[2] = {0, 0}, shared = 0, tops = 0;
       int         largest_front = 0;
     };
 
     Need
-    need_of(const FrontTree &tree, const unsigned int process)
+    need_of(const FrontTree    &tree,
+            const unsigned int  process,
+            const BlockColumns &block_columns)
     {
       Need        need;
       std::size_t tops[2] = {0, 0};
       for (const Front &front : tree.fronts)
-        if (front.owner == process)
+        if (front.is_shared)
+          {
+            need.shared +=
+              std::size_t(front.m) * block_columns.n_local(front.m, process);
+            need.largest_front = std::max(need.largest_front, front.m);
+          }
+        else if (front.owner == process)
           {
             need.factors += std::size_t(front.n) * (2 * front.m - front.n);
             need.largest_front = std::max(need.largest_front, front.m);
             for (const int c : front.children)
-              if (tree.fronts[c].owner == process)
-                tops[tree.fronts[c].level % 2] -=
-                  square(tree.fronts[c].n_changed());
+              tops[tree.fronts[c].level % 2] -=
+                square(tree.fronts[c].n_changed());
             if (front.parent < 0)
               continue;
-            if (tree.fronts[front.parent].owner != process)
+            if (tree.fronts[front.parent].is_shared)
               {
-                need.messages += square(front.n_changed());
+                need.tops += square(front.n_changed());
                 continue;
               }
             std::size_t &top     = tops[front.level % 2];
@@ -171,9 +99,12 @@ namespace NPT
                          const Ranks                            &ranks_of_run)
     : ranks(ranks_of_run)
     , tree(given_tree)
+    , shared(tree->fronts.size())
+    , tops(tree->fronts.size())
+    , block_columns{static_cast<int>(ranks.n())}
   {
     entries.set_up(A, *tree, ranks);
-    const Need need = need_of(*tree, ranks.rank());
+    const Need need = need_of(*tree, ranks.rank(), block_columns);
     factors.resize(need.factors);
     for (const int parity : {0, 1})
       stacks[parity].values.resize(need.stacks[parity]);
@@ -181,14 +112,27 @@ namespace NPT
     permuted.resize(A.n());
     changes.resize(need.largest_front);
     is_own_place.resize(A.n());
-    std::size_t next = 0;
+
+    std::shared_ptr<const ProcessRow> row;
+    std::size_t                       next = 0;
     for (unsigned int f = 0; f < tree->fronts.size(); ++f)
       {
         begin.push_back(next);
         const Front &front = tree->fronts[f];
-        std::fill_n(is_own_place.begin() + front.first, front.n, is_own(f));
-        if (is_own(f))
+        // Somebody has to add the right-hand side and the solution of all.
+        std::fill_n(is_own_place.begin() + front.first,
+                    front.n,
+                    front.is_shared ? ranks.is_first() : is_own(front));
+        if (is_own(front))
           next += std::size_t(front.n) * (2 * front.m - front.n);
+        if (is_top(front))
+          tops[f].resize(square(front.n_changed()));
+        if (!front.is_shared)
+          continue;
+        if (!row)
+          row = std::make_shared<ProcessRow>(ranks);
+        shared[f] =
+          std::make_unique<SharedFront<Number>>(front.n, front.m, row);
       }
   }
 
@@ -196,104 +140,32 @@ namespace NPT
 
   template <typename Number>
   double
-  Fronts<Number>::gigabytes(const FrontTree &tree, const unsigned int process)
+  Fronts<Number>::gigabytes(const FrontTree &tree, const Ranks &ranks)
   {
-    const Need need = need_of(tree, process);
+    const Need need =
+      need_of(tree, ranks.rank(), {static_cast<int>(ranks.n())});
     return 1e-9 * sizeof(Number) *
-           (need.factors + need.stacks[0] + need.stacks[1] + need.messages);
+           (need.factors + need.stacks[0] + need.stacks[1] + need.shared +
+            need.tops);
   }
 
 
 
   template <typename Number>
   bool
-  Fronts<Number>::is_own(const int front) const
+  Fronts<Number>::is_own(const Front &front) const
   {
-    return tree->fronts[front].owner == ranks.rank();
+    return !front.is_shared && front.owner == ranks.rank();
   }
 
 
 
   template <typename Number>
   bool
-  Fronts<Number>::is_passed_on(const Front &front) const
+  Fronts<Number>::is_top(const Front &front) const
   {
-    return front.parent >= 0 && !is_own(front.parent);
-  }
-
-
-
-  template <typename Number>
-  void
-  Fronts<Number>::send(const int           front,
-                       const unsigned int  to,
-                       std::vector<Number> message)
-  {
-    messages.push_back(std::move(message));
-    requests.emplace_back();
-    MPI_Isend(messages.back().data(),
-              messages.back().size(),
-              dealii::Utilities::MPI::mpi_type_id_for_type<Number>,
-              to,
-              tree->fronts[front].message,
-              ranks.communicator(),
-              &requests.back());
-  }
-
-
-
-  template <typename Number>
-  void
-  Fronts<Number>::receive(const int          front,
-                          const unsigned int from,
-                          Number            *message,
-                          const std::size_t  size) const
-  {
-    MPI_Recv(message,
-             size,
-             dealii::Utilities::MPI::mpi_type_id_for_type<Number>,
-             from,
-             tree->fronts[front].message,
-             ranks.communicator(),
-             MPI_STATUS_IGNORE);
-  }
-
-
-
-  template <typename Number>
-  void
-  Fronts<Number>::wait_until_sent()
-  {
-    MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
-    requests.clear();
-    messages.clear();
-  }
-
-
-
-  // Find what the children of a front have left for it. Own ones lie on their
-  // stack one behind the other.
-  template <typename Number>
-  void
-  Fronts<Number>::find_given(const Front &front)
-  {
-    const Stack  &stack = stacks[(front.level + 1) % 2];
-    const Number *top   = stack.values.data() + stack.top;
-    given.resize(front.children.size());
-    received.clear();
-    for (int k = front.children.size() - 1; k >= 0; --k)
-      {
-        const int         c    = front.children[k];
-        const std::size_t size = square(tree->fronts[c].n_changed());
-        if (is_own(c))
-          given[k] = top -= size;
-        else
-          {
-            received.emplace_back(size);
-            receive(c, tree->fronts[c].owner, received.back().data(), size);
-            given[k] = received.back().data();
-          }
-      }
+    return is_own(front) && front.parent >= 0 &&
+           tree->fronts[front.parent].is_shared;
   }
 
 
@@ -302,7 +174,7 @@ namespace NPT
   // what the children have left for them.
   template <typename Number>
   void
-  Fronts<Number>::assemble(const int f, const std::vector<double> &values)
+  Fronts<Number>::assemble(const int f)
   {
     const Front  &front = tree->fronts[f];
     const int     n = front.n, m = front.m, n_changed = m - n;
@@ -314,18 +186,22 @@ namespace NPT
     const FrontEntries::Range range = entries.ranges[f];
     const int end = is_symmetric ? range.end_of_lower : range.end;
     for (int e = range.begin; e < end; ++e)
-      columns[entries.target[e]] += values[entries.source[e]];
+      columns[entries.target[e]] += (*values)[entries.source[e]];
 
-    for (int k = front.children.size() - 1; k >= 0; --k)
+    // Children lie on their stack one behind the other.
+    const Stack  &stack = stacks[(front.level + 1) % 2];
+    const Number *given = stack.values.data() + stack.top;
+    for (auto c = front.children.rbegin(); c != front.children.rend(); ++c)
       {
-        const std::vector<int> &places = tree->fronts[front.children[k]].places;
+        const std::vector<int> &places = tree->fronts[*c].places;
         const int               size   = places.size();
-        const int               n_pivots =
+        given -= square(size);
+        const int n_pivots =
           std::lower_bound(places.begin(), places.end(), n) - places.begin();
         for (int j = 0; j < n_pivots; ++j)
           {
             Number *const       to   = columns + std::size_t(places[j]) * m;
-            const Number *const from = given[k] + std::size_t(j) * size;
+            const Number *const from = given + std::size_t(j) * size;
             for (int i = is_symmetric ? j : 0; i < size; ++i)
               to[places[i]] += from[i];
           }
@@ -333,7 +209,7 @@ namespace NPT
           for (int j = n_pivots; j < size; ++j)
             {
               Number *const       to   = rows + std::size_t(places[j] - n) * n;
-              const Number *const from = given[k] + std::size_t(j) * size;
+              const Number *const from = given + std::size_t(j) * size;
               for (int i = 0; i < n_pivots; ++i)
                 to[places[i]] += from[i];
             }
@@ -345,20 +221,24 @@ namespace NPT
   // Add what the children have left for the unknowns that are eliminated later.
   template <typename Number>
   void
-  Fronts<Number>::add_given(const Front &front, Number *contribution) const
+  Fronts<Number>::add_contributions(const Front &front,
+                                    Number      *contribution) const
   {
-    const int n = front.n, n_changed = front.m - n;
-    for (int k = front.children.size() - 1; k >= 0; --k)
+    const int     n = front.n, n_changed = front.m - n;
+    const Stack  &stack = stacks[(front.level + 1) % 2];
+    const Number *given = stack.values.data() + stack.top;
+    for (auto c = front.children.rbegin(); c != front.children.rend(); ++c)
       {
-        const std::vector<int> &places = tree->fronts[front.children[k]].places;
+        const std::vector<int> &places = tree->fronts[*c].places;
         const int               size   = places.size();
-        const int               n_pivots =
+        given -= square(size);
+        const int n_pivots =
           std::lower_bound(places.begin(), places.end(), n) - places.begin();
         for (int j = n_pivots; j < size; ++j)
           {
             Number *const to =
               contribution + std::size_t(places[j] - n) * n_changed - n;
-            const Number *const from = given[k] + std::size_t(j) * size;
+            const Number *const from = given + std::size_t(j) * size;
             for (int i = is_symmetric ? j : n_pivots; i < size; ++i)
               to[places[i]] += from[i];
           }
@@ -370,60 +250,181 @@ namespace NPT
   template <typename Number>
   template <typename Eliminate>
   bool
-  Fronts<Number>::eliminate_all(const std::vector<double> &values,
-                                const Eliminate           &eliminate)
+  Fronts<Number>::eliminate_own(const Eliminate &eliminate)
   {
-    const std::vector<double> &collected = entries.collect(values);
     for (Stack &stack : stacks)
       stack.top = 0;
-    // A process that fails goes on to send what others wait for.
-    bool succeeded = true;
     for (unsigned int f = 0; f < tree->fronts.size(); ++f)
       {
-        if (!is_own(f))
-          continue;
         const Front &front = tree->fronts[f];
-        Stack       &stack = stacks[front.level % 2];
-        find_given(front);
-        std::vector<Number> message;
-        if (is_passed_on(front))
-          message.resize(square(front.n_changed()));
-        if (succeeded)
-          {
-            assemble(f, collected);
-            Number *const contribution = is_passed_on(front) ?
-                                           message.data() :
-                                           stack.values.data() + stack.top;
-            succeeded =
-              eliminate(front, factors.data() + begin[f], contribution);
-            if (succeeded)
-              add_given(front, contribution);
-            else if (ranks.is_alone())
-              return false;
-          }
-        if (is_passed_on(front))
-          send(f, tree->fronts[front.parent].owner, std::move(message));
-        else
+        if (!is_own(front))
+          continue;
+        assemble(f);
+        Stack        &stack = stacks[front.level % 2];
+        Number *const contribution =
+          is_top(front) ? tops[f].data() : stack.values.data() + stack.top;
+        if (!eliminate(front, factors.data() + begin[f], contribution))
+          return false;
+        add_contributions(front, contribution);
+        if (!is_top(front))
           stack.top += square(front.n_changed());
         for (const int c : front.children)
-          if (is_own(c))
-            stacks[(front.level + 1) % 2].top -=
-              square(tree->fronts[c].n_changed());
+          stacks[(front.level + 1) % 2].top -=
+            square(tree->fronts[c].n_changed());
       }
-    wait_until_sent();
-    return ranks.all(succeeded);
+    return true;
+  }
+
+
+
+  // The process that has a column of what a front leaves.
+  template <typename Number>
+  unsigned int
+  Fronts<Number>::holder(const Front &front, const int column) const
+  {
+    return front.is_shared ? block_columns.owner(front.n + column) :
+                             front.owner;
+  }
+
+
+
+  template <typename Number>
+  const Number *
+  Fronts<Number>::contribution(const int f, const int column) const
+  {
+    const Front &front = tree->fronts[f];
+    return front.is_shared ?
+             shared[f]->column(front.n + column) + front.n :
+             tops[f].data() + std::size_t(column) * front.n_changed();
+  }
+
+
+
+  // Send what this process has of what the children of a shared front have
+  // left, and add what it gets.
+  template <typename Number>
+  void
+  Fronts<Number>::exchange_contributions(const int f)
+  {
+    const Front       &front           = tree->fronts[f];
+    const unsigned int me              = ranks.rank();
+    const auto         for_each_column = [&](const auto &visit) {
+      for (const int c : front.children)
+        for (unsigned int j = 0; j < tree->fronts[c].n_changed(); ++j)
+          visit(c,
+                j,
+                holder(tree->fronts[c], j),
+                static_cast<unsigned int>(
+                  block_columns.owner(tree->fronts[c].places[j])));
+    };
+
+    std::vector<std::size_t> to_send(ranks.n(), 0), to_receive(ranks.n(), 0);
+    for_each_column([&](const int c,
+                        const unsigned int,
+                        const unsigned int from,
+                        const unsigned int to) {
+      if (from == me)
+        to_send[to] += tree->fronts[c].n_changed();
+      else if (to == me)
+        to_receive[from] += tree->fronts[c].n_changed();
+    });
+    std::vector<std::vector<Number>> sent(ranks.n()), received(ranks.n());
+    for (unsigned int p = 0; p < ranks.n(); ++p)
+      {
+        sent[p].reserve(p == me ? 0 : to_send[p]);
+        received[p].resize(to_receive[p]);
+      }
+    for_each_column([&](const int          c,
+                        const unsigned int j,
+                        const unsigned int from,
+                        const unsigned int to) {
+      if (from != me || to == me)
+        return;
+      const Number *const column = contribution(c, j);
+      sent[to].insert(sent[to].end(),
+                      column,
+                      column + tree->fronts[c].n_changed());
+    });
+
+    const MPI_Datatype type =
+      dealii::Utilities::MPI::mpi_type_id_for_type<Number>;
+    std::vector<MPI_Request> requests;
+    for (unsigned int p = 0; p < ranks.n(); ++p)
+      {
+        if (!received[p].empty())
+          MPI_Irecv(received[p].data(),
+                    received[p].size(),
+                    type,
+                    p,
+                    0,
+                    ranks.communicator(),
+                    &requests.emplace_back());
+        if (!sent[p].empty())
+          MPI_Isend(sent[p].data(),
+                    sent[p].size(),
+                    type,
+                    p,
+                    0,
+                    ranks.communicator(),
+                    &requests.emplace_back());
+      }
+    MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
+
+    std::vector<std::size_t> read(ranks.n(), 0);
+    for_each_column([&](const int          c,
+                        const unsigned int j,
+                        const unsigned int from,
+                        const unsigned int to) {
+      if (to != me)
+        return;
+      const std::vector<int> &places = tree->fronts[c].places;
+      const Number           *column = nullptr;
+      if (from == me)
+        column = contribution(c, j);
+      else
+        {
+          column = received[from].data() + read[from];
+          read[from] += places.size();
+        }
+      Number *const target = shared[f]->column(places[j]);
+      for (unsigned int i = is_symmetric ? j : 0; i < places.size(); ++i)
+        target[places[i]] += column[i];
+    });
+  }
+
+
+
+  template <typename Number>
+  template <typename Eliminate>
+  bool
+  Fronts<Number>::eliminate_shared(const Eliminate &eliminate)
+  {
+    for (unsigned int f = 0; f < tree->fronts.size(); ++f)
+      if (tree->fronts[f].is_shared)
+        {
+          std::vector<Number> &entries_here = shared[f]->values;
+          std::fill(entries_here.begin(), entries_here.end(), Number(0));
+          const FrontEntries::Range range = entries.ranges[f];
+          const int end = is_symmetric ? range.end_of_lower : range.end;
+          for (int e = range.begin; e < end; ++e)
+            entries_here[entries.target[e]] += (*values)[entries.source[e]];
+          exchange_contributions(f);
+          if (!ranks.all(eliminate(*shared[f])))
+            return false;
+        }
+    return true;
   }
 
 
 
   template <typename Number>
   bool
-  Fronts<Number>::factorize_general(const std::vector<double> &values)
+  Fronts<Number>::factorize_general(const std::vector<double> &given)
   {
-    using B      = Blas<Number>;
-    is_symmetric = false;
-    return eliminate_all(
-      values,
+    using B              = Blas<Number>;
+    is_symmetric         = false;
+    values               = &entries.collect(given);
+    const bool succeeded = eliminate_own(
       [this](const Front &front, Number *columns, Number *contribution) {
         const int  n = front.n, m = front.m, n_changed = m - n;
         int *const exchanged = exchanges.data() + front.first;
@@ -435,10 +436,10 @@ namespace NPT
           return true;
         Number *const rows  = columns + std::size_t(n) * m;
         Number *const below = columns + n;
-        B::laswp()(&n_changed, rows, &n, &one, &n, exchanged, &one);
-        B::trsm()(
+        B::laswp(&n_changed, rows, &n, &one, &n, exchanged, &one);
+        B::trsm(
           "L", "L", "N", "U", &n, &n_changed, &B::plus, columns, &m, rows, &n);
-        B::trsm()(
+        B::trsm(
           "R", "U", "N", "N", &n_changed, &n, &B::plus, columns, &m, below, &m);
         if (!is_within_growth(below, n_changed, n, m))
           return false;
@@ -457,18 +458,23 @@ namespace NPT
                      &n_changed);
         return true;
       });
+    return ranks.all(succeeded) &&
+           eliminate_shared([](SharedFront<Number> &front) {
+             return front.factorize_general(largest_growth);
+           });
   }
 
 
 
   template <typename Number>
   bool
-  Fronts<Number>::factorize_positive_definite(const std::vector<double> &values)
+  Fronts<Number>::factorize_positive_definite(const std::vector<double> &given)
   {
-    using B      = Blas<Number>;
-    is_symmetric = true;
-    return eliminate_all(
-      values, [](const Front &front, Number *columns, Number *contribution) {
+    using B              = Blas<Number>;
+    is_symmetric         = true;
+    values               = &entries.collect(given);
+    const bool succeeded = eliminate_own(
+      [](const Front &front, Number *columns, Number *contribution) {
         const int n = front.n, m = front.m, n_changed = m - n;
         int       info = 0;
         dealii::potrf("L", &n, columns, &m, &info);
@@ -477,7 +483,7 @@ namespace NPT
         if (n_changed == 0)
           return true;
         Number *const below = columns + n;
-        B::trsm()(
+        B::trsm(
           "R", "L", "T", "N", &n_changed, &n, &B::plus, columns, &m, below, &m);
         dealii::syrk("L",
                      "N",
@@ -491,156 +497,10 @@ namespace NPT
                      &n_changed);
         return true;
       });
-  }
-
-
-
-  template <typename Number>
-  void
-  Fronts<Number>::solve_forward(Number *y)
-  {
-    using B              = Blas<Number>;
-    Number *const change = changes.data();
-    for (unsigned int f = 0; f < tree->fronts.size(); ++f)
-      {
-        if (!is_own(f))
-          continue;
-        const Front &front = tree->fronts[f];
-        for (const int c : front.children)
-          if (!is_own(c))
-            {
-              const std::vector<int> &changed = tree->fronts[c].changed;
-              received.assign(1, std::vector<Number>(changed.size()));
-              receive(c,
-                      tree->fronts[c].owner,
-                      received[0].data(),
-                      changed.size());
-              for (unsigned int r = 0; r < changed.size(); ++r)
-                y[changed[r]] += received[0][r];
-            }
-
-        const int           n = front.n, m = front.m, n_changed = m - n;
-        const Number *const columns = factors.data() + begin[f];
-        Number *const       pivots  = y + front.first;
-        if (!is_symmetric)
-          for (int r = 0; r < n; ++r)
-            std::swap(pivots[r], pivots[exchanges[front.first + r] - 1]);
-        B::trsv()(
-          "L", "N", is_symmetric ? "N" : "U", &n, columns, &m, pivots, &one);
-        if (n_changed == 0)
-          continue;
-        dealii::gemv("N",
-                     &n_changed,
-                     &n,
-                     &B::plus,
-                     columns + n,
-                     &m,
-                     pivots,
-                     &one,
-                     &B::zero,
-                     change,
-                     &one);
-        for (int r = 0; r < n_changed; ++r)
-          y[front.changed[r]] -= change[r];
-
-        if (is_passed_on(front))
-          {
-            std::vector<Number> message;
-            for (const int place : front.changed)
-              {
-                message.push_back(y[place]);
-                y[place] = 0;
-              }
-            send(f, tree->fronts[front.parent].owner, std::move(message));
-          }
-      }
-    wait_until_sent();
-  }
-
-
-
-  template <typename Number>
-  void
-  Fronts<Number>::solve_backward(Number *y)
-  {
-    using B              = Blas<Number>;
-    Number *const change = changes.data();
-    for (int f = tree->fronts.size() - 1; f >= 0; --f)
-      {
-        if (!is_own(f))
-          continue;
-        const Front        &front = tree->fronts[f];
-        const int           n = front.n, m = front.m, n_changed = m - n;
-        const Number *const columns = factors.data() + begin[f];
-        Number *const       pivots  = y + front.first;
-        if (n_changed > 0)
-          {
-            if (is_passed_on(front))
-              receive(f, tree->fronts[front.parent].owner, change, n_changed);
-            else
-              for (int r = 0; r < n_changed; ++r)
-                change[r] = y[front.changed[r]];
-            // For the fronts below.
-            if (is_passed_on(front))
-              for (int r = 0; r < n_changed; ++r)
-                y[front.changed[r]] = change[r];
-            if (is_symmetric)
-              dealii::gemv("T",
-                           &n_changed,
-                           &n,
-                           &B::minus,
-                           columns + n,
-                           &m,
-                           change,
-                           &one,
-                           &B::plus,
-                           pivots,
-                           &one);
-            else
-              dealii::gemv("N",
-                           &n,
-                           &n_changed,
-                           &B::minus,
-                           columns + std::size_t(n) * m,
-                           &n,
-                           change,
-                           &one,
-                           &B::plus,
-                           pivots,
-                           &one);
-          }
-        if (is_symmetric)
-          B::trsv()("L", "T", "N", &n, columns, &m, pivots, &one);
-        else
-          B::trsv()("U", "N", "N", &n, columns, &m, pivots, &one);
-
-        for (const int c : front.children)
-          if (!is_own(c))
-            {
-              std::vector<Number> message;
-              for (const int place : tree->fronts[c].changed)
-                message.push_back(y[place]);
-              send(c, tree->fronts[c].owner, std::move(message));
-            }
-      }
-    wait_until_sent();
-  }
-
-
-
-  template <typename Number>
-  void
-  Fronts<Number>::solve(dealii::Vector<double> &x)
-  {
-    // Of a right-hand side everyone has all; each begins with what is its own.
-    std::vector<Number> &y = permuted;
-    for (unsigned int i = 0; i < x.size(); ++i)
-      y[tree->position[i]] = is_own_place[tree->position[i]] ? x[i] : 0;
-    solve_forward(y.data());
-    solve_backward(y.data());
-    for (unsigned int i = 0; i < x.size(); ++i)
-      x[i] = is_own_place[tree->position[i]] ? y[tree->position[i]] : 0;
-    ranks.sum(x);
+    return ranks.all(succeeded) &&
+           eliminate_shared([](SharedFront<Number> &front) {
+             return front.factorize_positive_definite();
+           });
   }
 
 

@@ -5,6 +5,7 @@
 #define npt_dealii_linear_algebra_front_entries_h
 
 #include <npt_dealii/base/ranks.h>
+#include <npt_dealii/linear_algebra/block_columns.h>
 #include <npt_dealii/linear_algebra/csr_matrix.h>
 #include <npt_dealii/linear_algebra/front_tree.h>
 
@@ -41,7 +42,8 @@ namespace NPT
     std::vector<Range> ranges; ///< one per front; empty where it is not own
     std::vector<int>   source; ///< of the entries, front by front
     /// Columns of pivots, m x n, then rows of pivots right of them,
-    /// n x (m - n); each of them column by column.
+    /// n x (m - n); each of them column by column. Of a shared front: own
+    /// columns, m entries each.
     std::vector<int> target;
 
   private:
@@ -54,7 +56,8 @@ namespace NPT
     void
     sort(const std::vector<Place> &places, const FrontTree &tree);
 
-    Ranks ranks;
+    Ranks        ranks;
+    BlockColumns block_columns;
     // Of A.values, process by process, and how many each of them gets and
     // gives.
     std::vector<int>    sent_positions, n_sent, n_received;

@@ -26,15 +26,17 @@ namespace NPT
     std::vector<int> children;  ///< ascending
     int              level = 0; ///< distance from the root
     unsigned int     owner = 0; ///< the process that eliminates
-    /// Of the messages about it; fronts that belong to the process of their
-    /// parent have none.
-    int message = -1;
+    /// All processes eliminate it together; then so they do all above it.
+    bool is_shared = false;
 
     std::size_t
     n_changed() const
     {
       return changed.size();
     }
+    /// Row of a pivot or of an unknown that changes.
+    int
+    local(const int place) const;
     /// Multiplications and additions of L U.
     double
     operations() const;
@@ -64,9 +66,9 @@ namespace NPT
   make_front_tree(const CSRMatrix &A, const std::vector<int> &order);
 
   /**
-   * Deal the fronts out to processes: whole subtrees, so that the largest sum
-   * of operations is small (Geist, Ng 1989), and what is above them to the
-   * process of the larger child. Every process gets the same result.
+   * Deal the fronts out to processes: whole subtrees (Geist, Ng 1989), and the
+   * fronts above them to all together, so that the sum of operations of the
+   * slowest one is small. Every process gets the same result.
    */
   void
   deal_out(FrontTree &tree, const unsigned int n_processes);

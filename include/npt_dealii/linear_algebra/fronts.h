@@ -9,8 +9,7 @@
 #include <npt_dealii/linear_algebra/csr_matrix.h>
 #include <npt_dealii/linear_algebra/front_entries.h>
 #include <npt_dealii/linear_algebra/front_tree.h>
-
-#include <mpi.h>
+#include <npt_dealii/linear_algebra/shared_front.h>
 
 #include <memory>
 #include <vector>
@@ -32,8 +31,8 @@ namespace NPT
    * not singular: then somebody with all pivots must do it. For n unknowns of a
    * three-dimensional body operations grow as n^2 and memory as n^(4/3).
    *
-   * Several processes share the fronts by subtrees, see deal_out(): a process
-   * sends C only where the front above belongs to another one.
+   * Several processes share the fronts by subtrees, see deal_out(), and those
+   * above them by blocks of columns (SharedFront).
    *
    * All that depends on the pattern is done once, by the constructor. The same
    * input gives the same factors to the last bit. All member functions are
@@ -69,7 +68,7 @@ namespace NPT
 
     /// Memory of the factors and the largest contributions of a process [GB].
     static double
-    gigabytes(const FrontTree &tree, const unsigned int process);
+    gigabytes(const FrontTree &tree, const Ranks &ranks);
 
   private:
     // Contributions of the fronts of every other level, the last one on top.
@@ -80,61 +79,58 @@ namespace NPT
     };
 
     bool
-    is_own(const int front) const;
-    // Whether the front that it is passed to is that of another process.
+    is_own(const Front &front) const;
+    // Whether it is an own one below a shared one.
     bool
-    is_passed_on(const Front &front) const;
+    is_top(const Front &front) const;
 
     void
-    find_given(const Front &front);
+    assemble(const int front);
     void
-    assemble(const int front, const std::vector<double> &values);
-    void
-    add_given(const Front &front, Number *contribution) const;
+    add_contributions(const Front &front, Number *contribution) const;
+    // Own fronts, children before parents.
     template <typename Eliminate>
     bool
-    eliminate_all(const std::vector<double> &values,
-                  const Eliminate           &eliminate);
+    eliminate_own(const Eliminate &eliminate);
+
+    unsigned int
+    holder(const Front &front, const int column) const;
+    const Number *
+    contribution(const int front, const int column) const;
+    void
+    exchange_contributions(const int front);
+    template <typename Eliminate>
+    bool
+    eliminate_shared(const Eliminate &eliminate);
 
     void
     solve_forward(Number *y);
     void
     solve_backward(Number *y);
-
-    // Messages belong to a front whose parent is that of another process.
+    // Pivots of a front, then what they change.
     void
-    send(const int front, const unsigned int to, std::vector<Number> message);
+    gather(const Front &front, const Number *y);
     void
-    receive(const int          front,
-            const unsigned int from,
-            Number            *message,
-            const std::size_t  size) const;
-    void
-    wait_until_sent();
+    scatter(const Front &front, const int n_rows, Number *y) const;
 
     const Ranks                            ranks;
     const std::shared_ptr<const FrontTree> tree;
     FrontEntries                           entries;
+    const std::vector<double>             *values = nullptr; // as collected
     std::vector<std::size_t>               begin; // of fronts in the factors
     std::vector<Number>                    factors;
     std::vector<int>                       exchanges; // of rows, one per pivot
     Stack                                  stacks[2];
     bool                                   is_symmetric = false;
 
-    // What the children of the present front have left, and what of it has
-    // come from other processes.
-    std::vector<const Number *>      given;
-    std::vector<std::vector<Number>> received;
-    // On their way.
-    std::vector<std::vector<Number>> messages;
-    std::vector<MPI_Request>         requests;
+    // By front, where there is one.
+    std::vector<std::unique_ptr<SharedFront<Number>>> shared;
+    std::vector<std::vector<Number>>                  tops; // what they leave
+    const BlockColumns                                block_columns;
 
     std::vector<bool>   is_own_place;      // in the order of elimination
-    std::vector<Number> permuted, changes; // of solve()
+    std::vector<Number> permuted, changes; // of solve(), as local ones
   };
-
-  extern template class Fronts<double>;
-  extern template class Fronts<float>;
 } // namespace NPT
 
 #endif
