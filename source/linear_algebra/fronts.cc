@@ -306,44 +306,52 @@ namespace NPT
   void
   Fronts<Number>::exchange_contributions(const int f)
   {
-    const Front       &front           = tree->fronts[f];
-    const unsigned int me              = ranks.rank();
-    const auto         for_each_column = [&](const auto &visit) {
+    const Front       &front = tree->fronts[f];
+    const unsigned int me    = ranks.rank();
+    // Columns of the children's contributions, each from its first row that is
+    // needed, with the process that has it and the one that wants it.
+    const auto for_each_column = [&](const auto &visit) {
       for (const int c : front.children)
-        for (unsigned int j = 0; j < tree->fronts[c].n_changed(); ++j)
-          visit(c,
-                j,
-                holder(tree->fronts[c], j),
-                static_cast<unsigned int>(
-                  block_columns.owner(tree->fronts[c].places[j])));
+        {
+          const Front &child = tree->fronts[c];
+          for (unsigned int j = 0; j < child.n_changed(); ++j)
+            {
+              const unsigned int to = block_columns.owner(child.places[j]);
+              visit(c, j, is_symmetric ? j : 0u, holder(child, j), to);
+            }
+        }
     };
+    const auto size_of = [&](const int c, const unsigned int first_row) {
+      return tree->fronts[c].n_changed() - first_row;
+    };
+    using Unsigned = unsigned int;
 
     std::vector<std::size_t> to_send(ranks.n(), 0), to_receive(ranks.n(), 0);
-    for_each_column([&](const int c,
-                        const unsigned int,
-                        const unsigned int from,
-                        const unsigned int to) {
-      if (from == me)
-        to_send[to] += tree->fronts[c].n_changed();
-      else if (to == me)
-        to_receive[from] += tree->fronts[c].n_changed();
-    });
+    for_each_column(
+      [&](
+        const int c, Unsigned, Unsigned first_row, Unsigned from, Unsigned to) {
+        if (from == me)
+          to_send[to] += size_of(c, first_row);
+        else if (to == me)
+          to_receive[from] += size_of(c, first_row);
+      });
     std::vector<std::vector<Number>> sent(ranks.n()), received(ranks.n());
     for (unsigned int p = 0; p < ranks.n(); ++p)
       {
         sent[p].reserve(p == me ? 0 : to_send[p]);
         received[p].resize(to_receive[p]);
       }
-    for_each_column([&](const int          c,
-                        const unsigned int j,
-                        const unsigned int from,
-                        const unsigned int to) {
+    for_each_column([&](const int c,
+                        Unsigned  j,
+                        Unsigned  first_row,
+                        Unsigned  from,
+                        Unsigned  to) {
       if (from != me || to == me)
         return;
-      const Number *const column = contribution(c, j);
+      const Number *const from_here = contribution(c, j) + first_row;
       sent[to].insert(sent[to].end(),
-                      column,
-                      column + tree->fronts[c].n_changed());
+                      from_here,
+                      from_here + size_of(c, first_row));
     });
 
     const MPI_Datatype type =
@@ -368,27 +376,36 @@ namespace NPT
                     ranks.communicator(),
                     &requests.emplace_back());
       }
-    MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
 
-    std::vector<std::size_t> read(ranks.n(), 0);
-    for_each_column([&](const int          c,
-                        const unsigned int j,
-                        const unsigned int from,
-                        const unsigned int to) {
-      if (to != me)
+    const auto add =
+      [&](const int c, Unsigned j, Unsigned first_row, const Number *from) {
+        const std::vector<int> &places = tree->fronts[c].places;
+        Number *const           target = shared[f]->column(places[j]);
+        for (Unsigned i = first_row; i < places.size(); ++i)
+          target[places[i]] += from[i - first_row];
+      };
+    // Own ones while the others are on their way.
+    for_each_column([&](const int c,
+                        Unsigned  j,
+                        Unsigned  first_row,
+                        Unsigned  from,
+                        Unsigned  to) {
+      if (from == me && to == me)
+        add(c, j, first_row, contribution(c, j) + first_row);
+    });
+    MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
+    std::vector<const Number *> next;
+    for (const std::vector<Number> &message : received)
+      next.push_back(message.data());
+    for_each_column([&](const int c,
+                        Unsigned  j,
+                        Unsigned  first_row,
+                        Unsigned  from,
+                        Unsigned  to) {
+      if (from == me || to != me)
         return;
-      const std::vector<int> &places = tree->fronts[c].places;
-      const Number           *column = nullptr;
-      if (from == me)
-        column = contribution(c, j);
-      else
-        {
-          column = received[from].data() + read[from];
-          read[from] += places.size();
-        }
-      Number *const target = shared[f]->column(places[j]);
-      for (unsigned int i = is_symmetric ? j : 0; i < places.size(); ++i)
-        target[places[i]] += column[i];
+      add(c, j, first_row, next[from]);
+      next[from] += size_of(c, first_row);
     });
   }
 
