@@ -3,6 +3,7 @@
 
 #include <npt_dealii/base/available_memory.h>
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -13,6 +14,22 @@
 
 namespace NPT
 {
+  namespace
+  {
+    // What was given back to the C library, which keeps it for the program.
+    double
+    kept_gigabytes()
+    {
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+      return 1e-9 * static_cast<double>(mallinfo2().fordblks);
+#else
+      return 0.;
+#endif
+    }
+  } // namespace
+
+
+
   double
   available_gigabytes()
   {
@@ -33,6 +50,6 @@ namespace NPT
                             1e-9 * pages * sysconf(_SC_PAGESIZE);
         result = std::min(result, std::max(left, 0.));
       }
-    return result;
+    return result + kept_gigabytes();
   }
 } // namespace NPT

@@ -166,14 +166,11 @@ namespace NPT
       void
       make_tree()
       {
-        has_symmetry = ranks.all(has_symmetric_pattern(*matrix));
-        const CSRMatrix sum =
-          ranks.is_alone() ? CSRMatrix() : sum_of_patterns(*matrix, ranks);
-        const CSRMatrix &pattern = ranks.is_alone() ? *matrix : sum;
+        has_symmetry               = ranks.all(has_symmetric_pattern(*matrix));
+        const BlockPattern pattern = make_block_pattern(*matrix, ranks);
         // Everyone computes the same.
         const auto new_tree = std::make_shared<FrontTree>(
-          make_front_tree(pattern,
-                          nested_dissection(pattern, has_symmetry, Ranks())));
+          make_front_tree(pattern, nested_dissection(pattern)));
         deal_out(*new_tree, ranks.n());
         tree = new_tree;
         if (!ranks.all(gigabytes() * ranks.n_on_machine() <=

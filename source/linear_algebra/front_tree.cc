@@ -12,74 +12,47 @@ namespace NPT
 {
   namespace
   {
-    /// Unknowns that follow one another in the order of elimination and have
-    /// the same neighbors, as the components of a control point.
-    struct Blocks
+    /// Blocks in the order of elimination.
+    struct Sequence
     {
-      std::vector<int> first;    // place of each, last the number of unknowns
-      std::vector<int> of_place; // block
+      std::vector<int> block; // at each place
+
+      const BlockPattern &pattern;
 
       int
       n() const
       {
-        return first.size() - 1;
+        return block.size();
       }
       int
-      size(const int block) const
+      size(const int place) const
       {
-        return first[block + 1] - first[block];
+        return pattern.size(block[place]);
       }
     };
-
-    Blocks
-    find_blocks(const CSRMatrix &A, const std::vector<int> &position)
-    {
-      const int        n = A.n();
-      std::vector<int> unknown(n);
-      for (int i = 0; i < n; ++i)
-        unknown[position[i]] = i;
-      const auto are_equal = [&](const int i, const int j) {
-        return std::equal(A.columns.begin() + A.row_start[i],
-                          A.columns.begin() + A.row_start[i + 1],
-                          A.columns.begin() + A.row_start[j],
-                          A.columns.begin() + A.row_start[j + 1]) &&
-               A.position(i, j) >= 0;
-      };
-      Blocks blocks;
-      for (int place = 0; place < n; ++place)
-        {
-          if (place == 0 || !are_equal(unknown[place - 1], unknown[place]))
-            blocks.first.push_back(place);
-          blocks.of_place.push_back(blocks.first.size() - 1);
-        }
-      blocks.first.push_back(n);
-      return blocks;
-    }
 
 
 
     /**
-     * Return for each block of columns of L, in the order of elimination, the
-     * blocks of rows below it that are not zero, ascending: those of the matrix
-     * and those of the blocks whose first row this one is.
+     * Return for each column of blocks of L, in the order of elimination, the
+     * rows below it that are not zero, ascending: those of the matrix and
+     * those of the columns whose first row this one is.
      */
     std::vector<std::vector<int>>
-    rows_of_factor(const CSRMatrix        &A,
-                   const std::vector<int> &position,
-                   const Blocks           &blocks)
+    rows_of_factor(const Sequence &sequence)
     {
-      const int                     n = blocks.n();
+      const BlockPattern           &pattern = sequence.pattern;
+      const int                     n       = sequence.n();
       std::vector<std::vector<int>> rows(n), first_row_is(n);
-      for (unsigned int i = 0; i < A.n(); ++i)
-        for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-          {
-            const auto [a, b] =
-              std::minmax(blocks.of_place[position[i]],
-                          blocks.of_place[position[A.columns[k]]]);
-            // Most repetitions come one after the other.
-            if (a != b && (rows[a].empty() || rows[a].back() != b))
-              rows[a].push_back(b);
-          }
+      std::vector<int>              place(n);
+      for (int j = 0; j < n; ++j)
+        place[sequence.block[j]] = j;
+      for (int j = 0; j < n; ++j)
+        for (int k = pattern.row_start[sequence.block[j]];
+             k < pattern.row_start[sequence.block[j] + 1];
+             ++k)
+          if (place[pattern.neighbors[k]] > j)
+            rows[j].push_back(place[pattern.neighbors[k]]);
       std::vector<int> seen_by(n, -1);
       for (int j = 0; j < n; ++j)
         {
@@ -106,11 +79,11 @@ namespace NPT
 
 
 
-    // Blocks of columns of L with (nearly) the same rows below them.
+    // Columns of blocks of L with (nearly) the same rows below them.
     struct Group
     {
-      std::vector<int> pivots;  // blocks, in the order of elimination
-      std::vector<int> changed; // blocks of rows below, ascending
+      std::vector<int> pivots;  // places in the sequence, ascending
+      std::vector<int> changed; // rows below, ascending
       // Unknowns in them.
       double           n_pivots  = 0;
       double           n_changed = 0;
@@ -120,9 +93,9 @@ namespace NPT
       bool             is_part = false; // of its parent
     };
 
-    /// Neighboring blocks of which the second has the rows of the first.
+    /// Neighboring columns of which the second has the rows of the first.
     std::vector<Group>
-    equal_columns(std::vector<std::vector<int>> &rows, const Blocks &blocks)
+    equal_columns(std::vector<std::vector<int>> &rows, const Sequence &blocks)
     {
       const int          n = rows.size();
       std::vector<Group> groups;
@@ -142,8 +115,8 @@ namespace NPT
         {
           Group &group  = groups[g];
           group.changed = std::move(rows[group.pivots.back()]);
-          for (const int block : group.changed)
-            group.n_changed += blocks.size(block);
+          for (const int row : group.changed)
+            group.n_changed += blocks.size(row);
           if (!group.changed.empty())
             {
               group.parent = group_of[group.changed.front()];
@@ -285,26 +258,22 @@ namespace NPT
 
 
   FrontTree
-  make_front_tree(const CSRMatrix &A, const std::vector<int> &order)
+  make_front_tree(const BlockPattern &pattern, const std::vector<int> &order)
   {
-    FrontTree tree;
-    tree.position.resize(A.n());
-    if (order.empty())
-      std::iota(tree.position.begin(), tree.position.end(), 0);
-    else
-      for (unsigned int i = 0; i < A.n(); ++i)
-        tree.position[i] = order[i] - 1;
-
-    const Blocks                  blocks = find_blocks(A, tree.position);
-    std::vector<std::vector<int>> rows =
-      rows_of_factor(A, tree.position, blocks);
-    std::vector<Group> groups = equal_columns(rows, blocks);
+    Sequence blocks{std::vector<int>(pattern.n()), pattern};
+    for (int b = 0; b < pattern.n(); ++b)
+      blocks.block[order.empty() ? b : order[b]] = b;
+    std::vector<std::vector<int>> rows   = rows_of_factor(blocks);
+    std::vector<Group>            groups = equal_columns(rows, blocks);
     join(groups);
     const std::vector<int> sequence = sequence_of(groups);
 
+    FrontTree           tree;
     std::vector<Front> &fronts = tree.fronts;
     fronts.resize(sequence.size());
-    std::vector<int> new_place(A.n()), front_of_group(groups.size(), -1);
+    tree.position.resize(pattern.unknowns.size());
+    std::vector<int> begin(blocks.n()); // place of the first unknown
+    std::vector<int> front_of_group(groups.size(), -1);
     int              next = 0;
     for (unsigned int f = 0; f < fronts.size(); ++f)
       {
@@ -313,9 +282,14 @@ namespace NPT
         fronts[f].first             = next;
         fronts[f].n                 = group.n_pivots;
         fronts[f].m                 = fronts[f].n + group.n_changed;
-        for (const int block : group.pivots)
-          for (int k = 0; k < blocks.size(block); ++k)
-            new_place[blocks.first[block] + k] = next++;
+        for (const int column : group.pivots)
+          {
+            begin[column]   = next;
+            const int block = blocks.block[column];
+            for (int k = pattern.first[block]; k < pattern.first[block + 1];
+                 ++k)
+              tree.position[pattern.unknowns[k]] = next++;
+          }
         for (const int child : group.children)
           {
             const int c = front_of_group[child];
@@ -324,15 +298,13 @@ namespace NPT
           }
         std::sort(fronts[f].children.begin(), fronts[f].children.end());
       }
-    for (int &place : tree.position)
-      place = new_place[place];
 
     for (int f = fronts.size() - 1; f >= 0; --f)
       {
         Front &front = fronts[f];
-        for (const int block : groups[sequence[f]].changed)
-          for (int k = 0; k < blocks.size(block); ++k)
-            front.changed.push_back(new_place[blocks.first[block] + k]);
+        for (const int row : groups[sequence[f]].changed)
+          for (int k = 0; k < blocks.size(row); ++k)
+            front.changed.push_back(begin[row] + k);
         std::sort(front.changed.begin(), front.changed.end());
         if (front.parent < 0)
           continue;

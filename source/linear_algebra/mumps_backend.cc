@@ -44,9 +44,9 @@ namespace NPT
         clear();
         matrix       = &A;
         has_symmetry = ranks.all(has_symmetric_pattern(A));
-        order        = nested_dissection(A, has_symmetry, ranks);
-        precision    = FactorPrecision(parameters.factors, A.n());
-        memory_      = LinearSolverMemory();
+        set_order(A);
+        precision = FactorPrecision(parameters.factors, A.n());
+        memory_   = LinearSolverMemory();
       }
 
       void
@@ -127,6 +127,19 @@ namespace NPT
       }
 
     private:
+      // The first process tells MUMPS.
+      void
+      set_order(const CSRMatrix &A)
+      {
+        order.clear();
+        const BlockPattern blocks = make_block_pattern(A, ranks);
+        if (!ranks.is_first())
+          return;
+        const std::vector<int> order_of_blocks = nested_dissection(blocks);
+        if (!order_of_blocks.empty())
+          order = order_of_unknowns(blocks, order_of_blocks);
+      }
+
       // Made when they are needed for the first time.
       template <typename Number>
       struct Instances

@@ -21,7 +21,8 @@ namespace
   FrontTree
   tree_of(const CSRMatrix &A, const unsigned int n_processes)
   {
-    FrontTree tree = make_front_tree(A, nested_dissection(A, true, Ranks()));
+    const BlockPattern blocks = make_block_pattern(A, Ranks());
+    FrontTree tree = make_front_tree(blocks, nested_dissection(blocks));
     deal_out(tree, n_processes);
     return tree;
   }

@@ -4,33 +4,28 @@
 #ifndef npt_dealii_linear_algebra_elimination_order_h
 #define npt_dealii_linear_algebra_elimination_order_h
 
-#include <npt_dealii/base/ranks.h>
-#include <npt_dealii/linear_algebra/csr_matrix.h>
+#include <npt_dealii/linear_algebra/block_pattern.h>
 
 #include <vector>
 
 namespace NPT
 {
   /**
-   * Return the position (from 1) of each unknown in the order of
-   * elimination. Debian's MUMPS knows no nested dissection of its own, which
-   * saves 15 to 34 % of the operations on elastic boxes of 1,452 to 15,360
-   * unknowns (quadratic B-splines). Halves that are equal within .5 % instead
-   * of METIS' 20 % save another 22 and 7 % on woven cells of 5,122 and 12,630
-   * unknowns (and cost 2 % at 76,490). Empty if deal.II has no METIS.
-   *
-   * @param ranks Each has a part of A; the first one gets the order, the
-   *   others nothing.
+   * Return the position (from 0) of each block in the order of elimination.
+   * Debian's MUMPS knows no nested dissection of its own, which saves 15 to 34
+   * % of the operations on elastic boxes of 1,452 to 15,360 unknowns (quadratic
+   * B-splines). Halves that are equal within .5 % instead of METIS' 20 % save
+   * another 22 and 7 % on woven cells of 5,122 and 12,630 unknowns (and cost 2
+   * % at 76,490). Empty if deal.II has no METIS.
    */
   std::vector<int>
-  nested_dissection(const CSRMatrix &A,
-                    const bool       pattern_is_symmetric,
-                    const Ranks     &ranks);
+  nested_dissection(const BlockPattern &blocks);
 
-  /// Return, on all processes, a matrix without values that has the entries of
-  /// the matrices of all of them.
-  CSRMatrix
-  sum_of_patterns(const CSRMatrix &A, const Ranks &ranks);
+  /// Return the position (from 1) of each unknown from those of the blocks;
+  /// those of a block follow one another.
+  std::vector<int>
+  order_of_unknowns(const BlockPattern     &blocks,
+                    const std::vector<int> &order_of_blocks);
 } // namespace NPT
 
 #endif

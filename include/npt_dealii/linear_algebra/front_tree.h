@@ -5,7 +5,7 @@
 #ifndef npt_dealii_linear_algebra_front_tree_h
 #define npt_dealii_linear_algebra_front_tree_h
 
-#include <npt_dealii/linear_algebra/csr_matrix.h>
+#include <npt_dealii/linear_algebra/block_pattern.h>
 
 #include <vector>
 
@@ -57,13 +57,12 @@ namespace NPT
 
 
   /**
-   * @param A     Only its pattern is read; it need not be symmetric.
-   * @param order Position (from 1) of each unknown in the order of elimination,
+   * @param order Position (from 0) of each block in the order of elimination,
    *   as of nested_dissection(); empty: as they are numbered. The order of the
    *   tree is one with the same factors.
    */
   FrontTree
-  make_front_tree(const CSRMatrix &A, const std::vector<int> &order);
+  make_front_tree(const BlockPattern &pattern, const std::vector<int> &order);
 
   /**
    * Deal the fronts out to processes: whole subtrees (Geist, Ng 1989), and the

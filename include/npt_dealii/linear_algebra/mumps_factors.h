@@ -96,7 +96,7 @@ namespace NPT
      * The symbolic factorization.
      *
      * @param A     Of several processes each has a part of the entries.
-     * @param order Positions of the unknowns, see nested_dissection(). Must
+     * @param order Positions of the unknowns, see order_of_unknowns(). Must
      *   stay where it is.
      *
      * Throws OutOfMemory.
