@@ -14,21 +14,37 @@ namespace NPT
 {
   namespace
   {
-    /// A number that tells sets of columns apart, nearly always. Of several
-    /// processes with parts of a row it is that of all parts.
+    /// Columns of a row, none if there is only the diagonal: a process has the
+    /// diagonal also of rows whose other entries are on other processes.
+    std::pair<const int *, const int *>
+    columns_of(const CSRMatrix &A, const int row)
+    {
+      const int *begin       = A.columns.data() + A.row_start[row];
+      const int *end         = A.columns.data() + A.row_start[row + 1];
+      const bool is_diagonal = end - begin == 1 && *begin == row;
+      return {begin, is_diagonal ? begin : end};
+    }
+
+
+
+    /// A number that tells sets of columns apart, nearly always; zero: there
+    /// are none. Of several processes with parts of a row it is that of all.
     std::vector<std::uint64_t>
     signatures(const CSRMatrix &A, const Ranks &ranks)
     {
       std::vector<std::uint64_t> result(A.n(), 0);
       for (unsigned int i = 0; i < A.n(); ++i)
-        for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-          {
-            // A step of the generator splitmix64 (Steele, Lea, Flood 2014).
-            std::uint64_t x = A.columns[k] + 0x9e3779b97f4a7c15u;
-            x               = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-            x               = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-            result[i] += x ^ (x >> 31);
-          }
+        {
+          const auto [begin, end] = columns_of(A, i);
+          for (const int *column = begin; column != end; ++column)
+            {
+              // A step of the generator splitmix64 (Steele, Lea, Flood 2014).
+              std::uint64_t x = *column + 0x9e3779b97f4a7c15u;
+              x               = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+              x               = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+              result[i] += x ^ (x >> 31);
+            }
+        }
       if (!ranks.is_alone())
         MPI_Allreduce(MPI_IN_PLACE,
                       result.data(),
@@ -63,11 +79,10 @@ namespace NPT
       for (int k = 1; k < n; ++k)
         {
           const int i = unknowns[k - 1], j = unknowns[k];
-          differs[k] = signature[i] != signature[j] ||
-                       !std::equal(A.columns.begin() + A.row_start[i],
-                                   A.columns.begin() + A.row_start[i + 1],
-                                   A.columns.begin() + A.row_start[j],
-                                   A.columns.begin() + A.row_start[j + 1]);
+          const auto [begin_i, end_i] = columns_of(A, i);
+          const auto [begin_j, end_j] = columns_of(A, j);
+          differs[k] = signature[i] != signature[j] || signature[i] == 0 ||
+                       !std::equal(begin_i, end_i, begin_j, end_j);
         }
       if (!ranks.is_alone())
         MPI_Allreduce(MPI_IN_PLACE,
