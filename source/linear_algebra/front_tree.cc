@@ -246,6 +246,15 @@ namespace NPT
 
 
 
+  double
+  Front::work() const
+  {
+    const double pivots = n, rows = m;
+    return operations() + 80 * rows * rows + 300 * pivots * rows;
+  }
+
+
+
   std::vector<int>
   FrontTree::front_of_place() const
   {
@@ -333,7 +342,7 @@ namespace NPT
     std::vector<int>    subtrees; // that lie below no other one
     for (int f = 0; f < n_fronts; ++f)
       {
-        work[f] += fronts[f].operations();
+        work[f] += fronts[f].work();
         if (fronts[f].parent >= 0)
           work[fronts[f].parent] += work[f];
         else
@@ -341,7 +350,7 @@ namespace NPT
       }
 
     double                    shortest = std::numeric_limits<double>::max();
-    double                    above    = 0; // operations
+    double                    above    = 0; // work
     std::vector<unsigned int> owner(n_fronts, 0);
     while (!subtrees.empty())
       {
@@ -369,7 +378,7 @@ namespace NPT
         const int largest = subtrees.front();
         if (fronts[largest].children.empty())
           break;
-        above += fronts[largest].operations();
+        above += fronts[largest].work();
         subtrees.erase(subtrees.begin());
         subtrees.insert(subtrees.end(),
                         fronts[largest].children.begin(),

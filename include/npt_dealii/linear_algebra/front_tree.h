@@ -40,6 +40,12 @@ namespace NPT
     /// Multiplications and additions of L U.
     double
     operations() const;
+    /// Time to assemble and eliminate it, in operations of products of large
+    /// matrices. Fitted to the 5,876 fronts of 35 factorizations of a woven
+    /// cell of 12,630 unknowns, of which small ones reach a fifth of the speed
+    /// of large ones.
+    double
+    work() const;
   };
 
 
@@ -66,7 +72,7 @@ namespace NPT
 
   /**
    * Deal the fronts out to processes: whole subtrees (Geist, Ng 1989), and the
-   * fronts above them to all together, so that the sum of operations of the
+   * fronts above them to all together, so that the work of the
    * slowest one is small. Every process gets the same result.
    */
   void
