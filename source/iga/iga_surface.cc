@@ -43,7 +43,8 @@ namespace NPT
 
 
     // Horner's rule for polynomials of t and their derivatives with respect to
-    // u, du = h dt.
+    // u, du = h dt, up to the given order.
+    template <unsigned int order>
     void
     evaluate_polynomials(const std::vector<std::vector<double>> &coefficients,
                          const double                            t,
@@ -57,13 +58,14 @@ namespace NPT
           double                     v[4] = {0., 0., 0., 0.};
           for (int k = c.size() - 1; k >= 0; --k)
             {
-              v[3] = v[3] * t + 3 * v[2];
+              if constexpr (order >= 3)
+                v[3] = v[3] * t + 3 * v[2];
               v[2] = v[2] * t + 2 * v[1];
               v[1] = v[1] * t + v[0];
               v[0] = v[0] * t + c[k];
             }
           double scale = 1;
-          for (unsigned int d = 0; d < 4; ++d)
+          for (unsigned int d = 0; d <= order; ++d)
             {
               functions.N[d][i] = v[d] * scale;
               scale /= h;
@@ -210,6 +212,94 @@ namespace NPT
                       W;
                   }
         }
+    }
+
+
+    // The point and its derivatives, from sums of homogeneous coordinates over
+    // the functions, row by row.
+    template <bool rational, int dim>
+    SurfaceJet<dim>
+    sum_of_functions(const std::array<LineFunctions, dim - 1> &N,
+                     const unsigned int                        row_length,
+                     const std::vector<Point<dim>>            &positions,
+                     const std::vector<double>                &weights)
+    {
+      constexpr int          m             = dim - 1;
+      constexpr unsigned int n_coordinates = rational ? dim + 1 : dim;
+      using Coordinates                    = std::array<double, n_coordinates>;
+      using Indices                        = SymmetricIndices<m>;
+      Coordinates X{}, first[Indices::n_first]{}, second[Indices::n_second]{};
+      const auto  add =
+        [](Coordinates &to, const double factor, const Coordinates &from) {
+          for (unsigned int c = 0; c < n_coordinates; ++c)
+            to[c] += factor * from[c];
+        };
+      // Derivatives along the first parameter, of one row of the lattice.
+      const auto derivatives_of_row = [&](const unsigned int begin) {
+        std::array<Coordinates, 3> row{};
+        for (unsigned int i = 0; i < N[0].n; ++i)
+          {
+            const unsigned int l = begin + i;
+            Coordinates        point;
+            const double       w = rational ? weights[l] : 1.;
+            for (unsigned int c = 0; c < dim; ++c)
+              point[c] = w * positions[l][c];
+            if constexpr (rational)
+              point[dim] = w;
+            for (unsigned int d = 0; d < 3; ++d)
+              add(row[d], N[0].N[d][i], point);
+          }
+        return row;
+      };
+      if constexpr (m == 1)
+        {
+          AssertThrow(N[0].rows == nullptr, dealii::ExcInternalError());
+          const auto row = derivatives_of_row(N[0].first);
+          X              = row[0];
+          first[0]       = row[1];
+          second[0]      = row[2];
+        }
+      else
+        for (unsigned int j = 0; j < N[1].n; ++j)
+          {
+            const auto row =
+              derivatives_of_row(N[0].first + N[1].number(j) * row_length);
+            add(X, N[1].N[0][j], row[0]);
+            add(first[0], N[1].N[0][j], row[1]);
+            add(first[1], N[1].N[1][j], row[0]);
+            for (unsigned int k = 0; k <= 2; ++k)
+              add(second[k], N[1].N[k][j], row[2 - k]);
+          }
+
+      // Of the point and its derivatives by the quotient rule.
+      SurfaceJet<dim> result;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const auto quotient = [&](const Coordinates &Y, const double known) {
+            if constexpr (rational)
+              return (Y[c] - known) / X[dim];
+            else
+              return Y[c];
+          };
+          const auto weight = [](const Coordinates &Y) {
+            return rational ? Y[n_coordinates - 1] : 0.;
+          };
+          result.x[c] = quotient(X, 0.);
+          for (unsigned int a = 0; a < m; ++a)
+            result.first[a][c] =
+              quotient(first[a], result.x[c] * weight(first[a]));
+          for (unsigned int a = 0; a < m; ++a)
+            for (unsigned int b = a; b < m; ++b)
+              {
+                const unsigned int ab = Indices::second(a, b);
+                result.second[ab][c] =
+                  quotient(second[ab],
+                           result.first[a][c] * weight(first[b]) +
+                             result.first[b][c] * weight(first[a]) +
+                             result.x[c] * weight(second[ab]));
+              }
+        }
+      return result;
     }
   } // namespace
 
@@ -418,6 +508,32 @@ namespace NPT
 
 
   template <int dim>
+  SurfaceJet<dim>
+  IGASurface<dim>::jet(const Parameter                   &u,
+                       const std::vector<Point<dim>>     &positions,
+                       const std::array<unsigned int, m> &segment) const
+  {
+    AssertDimension(positions.size(), n_control_points());
+    std::array<LineFunctions, m> N;
+    for (unsigned int a = 0; a < m; ++a)
+      {
+        const Segment &s = segments_[a].segments[segment[a]];
+        N[a].first       = s.first_function;
+        N[a].rows        = s.rows.empty() ? nullptr : s.rows.data();
+        evaluate_polynomials<2>(s.coefficients,
+                                (u[a] - s.origin) / s.length,
+                                s.length,
+                                N[a]);
+      }
+    const unsigned int row_length = knots_[0].n_functions();
+    return rational_ ?
+             sum_of_functions<true, dim>(N, row_length, positions, weights_) :
+             sum_of_functions<false, dim>(N, row_length, positions, weights_);
+  }
+
+
+
+  template <int dim>
   void
   IGASurface<dim>::evaluate_averaging(const Parameter &u,
                                       SurfaceShape<m> &shape) const
@@ -444,10 +560,10 @@ namespace NPT
         const Segment &s = segments[a].segments[e];
         N[a].first       = s.first_function;
         N[a].rows        = s.rows.empty() ? nullptr : s.rows.data();
-        evaluate_polynomials(s.coefficients,
-                             (u[a] - s.origin) / s.length,
-                             s.length,
-                             N[a]);
+        evaluate_polynomials<3>(s.coefficients,
+                                (u[a] - s.origin) / s.length,
+                                s.length,
+                                N[a]);
       }
     multiply_directions(N, knots_[0].n_functions(), n_derivatives, shape);
     if (rational)

@@ -16,7 +16,7 @@ namespace NPT
     template <int m>
     using Segment = std::array<unsigned int, m>;
 
-    // Surface point and derivatives at u with the polynomial of a given
+    // What is kept of the closest point, at u with the polynomials of a given
     // segment.
     template <int dim>
     void
@@ -106,8 +106,8 @@ namespace NPT
 
   namespace
   {
-    // One projection: the point u that Newton's method has reached, the
-    // geometry c there, and the piece between C0 knots in which it moves.
+    // One projection: the place that Newton's method has reached, and the piece
+    // between C0 knots in which it moves.
     template <int dim>
     class Projection
     {
@@ -124,19 +124,20 @@ namespace NPT
       bool
       minimize();
 
-      // Gap and normal at the closest point, (9) and (A15).
+      // Geometry, gap and normal at the closest point, (9) and (A15).
       void
-      set_gap(const bool third_derivatives);
-
-      // What was found, to where the caller wants it.
-      void
-      hand_over()
-      {
-        if (c_ != &result_)
-          std::swap(*c_, result_);
-      }
+      finish(const bool third_derivatives);
 
     private:
+      struct Place
+      {
+        std::array<double, m>         u;
+        Segment<m>                    segment;
+        Tensor<1, dim>                r; // to the point in space
+        std::array<Tensor<1, dim>, m> a;
+        std::array<Tensor<1, dim>, SymmetricIndices<m>::n_second> x_second;
+      };
+
       // Newton's step for half the squared distance.
       struct Step
       {
@@ -158,18 +159,15 @@ namespace NPT
       bool
       line_search(const Step &newton, const bool last);
       void
-      finish(const bool *free);
+      set_free(const bool *free);
       double
-      side_of_kink(const Tensor<1, dim> &n);
+      side_of_kink(const Tensor<1, dim> &n) const;
 
-      void
-      evaluate(const std::array<double, m> &u,
-               const Segment<m>            &segment,
-               const unsigned int           n_derivatives,
-               ClosestPoint<dim>           &c) const
+      Place
+      place_at(const std::array<double, m> &u, const Segment<m> &segment) const
       {
-        evaluate_geometry(
-          surface_, positions_, point_, u, segment, n_derivatives, c);
+        const SurfaceJet<dim> jet = face_.jet(u, positions_, segment);
+        return {u, segment, point_ - Point<dim>(jet.x), jet.first, jet.second};
       }
 
       const ContactSurface<dim>     &surface_;
@@ -178,27 +176,11 @@ namespace NPT
       const Point<dim>              &point_;
 
       std::array<std::pair<double, double>, m> domain_, piece_;
-      std::array<double, m>                    u_;
-      Segment<m>                               segment_ = {};
-      // The best point so far and one that is tried: they change their places.
-      ClosestPoint<dim> *c_;
-      ClosestPoint<dim> *trial_;
-      ClosestPoint<dim> &result_;
-      double             distance2_;
-      unsigned int       n_changes_ = 0;
+      Place                                    here_;
+      ClosestPoint<dim>                       &result_;
+      double                                   distance2_;
+      unsigned int                             n_changes_ = 0;
     };
-
-
-
-    // The trial point's vectors are kept between calls: allocation would cost
-    // more than the geometry itself.
-    template <int dim>
-    ClosestPoint<dim> &
-    trial_point()
-    {
-      static thread_local ClosestPoint<dim> trial;
-      return trial;
-    }
 
 
 
@@ -212,25 +194,23 @@ namespace NPT
       , face_(surface.surface())
       , positions_(positions)
       , point_(point)
-      , u_(start)
-      , c_(&result)
-      , trial_(&trial_point<dim>())
       , result_(result)
     {
+      std::array<double, m> u = start;
+      Segment<m>            segment;
       for (int k = 0; k < m; ++k)
         {
           const auto &breaks = face_.segment_breaks(k);
           domain_[k]         = {breaks.front(), breaks.back()};
-          u_[k] =
-            std::min(std::max(u_[k], domain_[k].first), domain_[k].second);
-          segment_[k] = face_.find_segment(k, u_[k]);
-          piece_[k]   = surface_.smooth_piece(k, segment_[k]);
+          u[k] = std::min(std::max(u[k], domain_[k].first), domain_[k].second);
+          segment[k] = face_.find_segment(k, u[k]);
+          piece_[k]  = surface_.smooth_piece(k, segment[k]);
         }
-      c_->found       = false;
-      c_->edge_radius = 0.;
-      c_->on_boundary = false;
-      evaluate(u_, segment_, 2, *c_);
-      distance2_ = c_->r.norm_square();
+      result_.found       = false;
+      result_.edge_radius = 0.;
+      result_.on_boundary = false;
+      here_               = place_at(u, segment);
+      distance2_          = here_.r.norm_square();
     }
 
 
@@ -258,7 +238,7 @@ namespace NPT
                   last = false;
                   continue;
                 }
-              finish(newton.free);
+              set_free(newton.free);
               return true;
             }
 
@@ -286,11 +266,11 @@ namespace NPT
       // Half the gradient of the squared distance; its Hessian H_ab of (A8).
       for (int k = 0; k < m; ++k)
         {
-          newton.gradient[k] = -(c_->r * c_->a[k]);
-          newton.metric[k]   = c_->a[k].norm_square();
+          newton.gradient[k] = -(here_.r * here_.a[k]);
+          newton.metric[k]   = here_.a[k].norm_square();
           newton.step[k]     = 0;
-          const bool at_low  = u_[k] <= piece_[k].first;
-          const bool at_high = u_[k] >= piece_[k].second;
+          const bool at_low  = here_.u[k] <= piece_[k].first;
+          const bool at_high = here_.u[k] >= piece_[k].second;
           newton.free[k]     = !((at_low && newton.gradient[k] > 0) ||
                              (at_high && newton.gradient[k] < 0));
           newton.any_free    = newton.any_free || newton.free[k];
@@ -305,14 +285,14 @@ namespace NPT
       for (int k = 0; k < m; ++k)
         for (int l = 0; l < m; ++l)
           newton.H[k][l] =
-            c_->a[k] * c_->a[l] -
-            c_->r * c_->x_second[SymmetricIndices<m>::second(k, l)];
+            here_.a[k] * here_.a[l] -
+            here_.r * here_.x_second[SymmetricIndices<m>::second(k, l)];
       if (!solve(newton))
         {
           newton.gauss_newton = true;
           for (int k = 0; k < m; ++k)
             for (int l = 0; l < m; ++l)
-              newton.H[k][l] = c_->a[k] * c_->a[l];
+              newton.H[k][l] = here_.a[k] * here_.a[l];
           if (!solve(newton))
             return false;
         }
@@ -369,20 +349,19 @@ namespace NPT
       for (int k = 0; k < m; ++k)
         if (!free[k] && n_changes_ < 40)
           {
-            const bool high = u_[k] >= piece_[k].second;
-            if ((high && u_[k] >= domain_[k].second) ||
-                (!high && u_[k] <= domain_[k].first))
+            const bool high = here_.u[k] >= piece_[k].second;
+            if ((high && here_.u[k] >= domain_[k].second) ||
+                (!high && here_.u[k] <= domain_[k].first))
               continue;
-            Segment<m> other = segment_;
+            Segment<m> other = here_.segment;
             other[k] += high ? 1 : -1;
-            evaluate(u_, other, 2, *trial_);
-            const double slope = -(trial_->r * trial_->a[k]);
-            const double size  = trial_->a[k].norm() * trial_->r.norm() * 1e-12;
+            const Place  there = place_at(here_.u, other);
+            const double slope = -(there.r * there.a[k]);
+            const double size  = there.a[k].norm() * there.r.norm() * 1e-12;
             if ((high && slope < -size) || (!high && slope > size))
               {
-                segment_  = other;
-                piece_[k] = surface_.smooth_piece(k, segment_[k]);
-                std::swap(c_, trial_);
+                here_     = there;
+                piece_[k] = surface_.smooth_piece(k, other[k]);
                 ++n_changes_;
                 return true;
               }
@@ -406,21 +385,19 @@ namespace NPT
           double                predicted = 0;
           for (int k = 0; k < m; ++k)
             {
-              u_new[k]       = std::min(std::max(u_[k] + alpha * newton.step[k],
+              u_new[k] = std::min(std::max(here_.u[k] + alpha * newton.step[k],
                                            piece_[k].first),
                                   piece_[k].second);
               segment_new[k] = segment_in_piece(face_, k, piece_[k], u_new[k]);
-              predicted += newton.gradient[k] * (u_new[k] - u_[k]);
+              predicted += newton.gradient[k] * (u_new[k] - here_.u[k]);
             }
-          evaluate(u_new, segment_new, 2, *trial_);
-          const double trial2 = trial_->r.norm_square();
+          const Place  trial  = place_at(u_new, segment_new);
+          const double trial2 = trial.r.norm_square();
           if (last ||
               (predicted < 0 && trial2 <= distance2_ + 2e-4 * predicted))
             {
-              u_         = u_new;
-              segment_   = segment_new;
+              here_      = trial;
               distance2_ = trial2;
-              std::swap(c_, trial_);
               return true;
             }
         }
@@ -431,20 +408,20 @@ namespace NPT
 
     template <int dim>
     void
-    Projection<dim>::finish(const bool *free)
+    Projection<dim>::set_free(const bool *free)
     {
-      c_->found = true;
+      result_.found = true;
       for (int k = 0; k < m; ++k)
         {
-          c_->free[k] = free[k];
+          result_.free[k] = free[k];
           // Where another piece of the strand continues the surface, its end
           // is not a boundary of the body.
           if (!free[k] &&
-              ((u_[k] <= domain_[k].first &&
+              ((here_.u[k] <= domain_[k].first &&
                 !(k == surface_.along() && surface_.neighbor(0) >= 0)) ||
-               (u_[k] >= domain_[k].second &&
+               (here_.u[k] >= domain_[k].second &&
                 !(k == surface_.along() && surface_.neighbor(1) >= 0))))
-            c_->on_boundary = true;
+            result_.on_boundary = true;
         }
     }
 
@@ -454,40 +431,44 @@ namespace NPT
     // outside (1).
     template <int dim>
     double
-    Projection<dim>::side_of_kink(const Tensor<1, dim> &n)
+    Projection<dim>::side_of_kink(const Tensor<1, dim> &n) const
     {
       Tensor<1, dim> mean = n;
       for (int k = 0; k < m; ++k)
-        if (!c_->free[k] && u_[k] > domain_[k].first &&
-            u_[k] < domain_[k].second)
+        if (!result_.free[k] && here_.u[k] > domain_[k].first &&
+            here_.u[k] < domain_[k].second)
           {
-            Segment<m> other = segment_;
-            other[k] += u_[k] >= piece_[k].second ? 1 : -1;
-            evaluate(u_, other, 2, *trial_);
-            mean += unit_normal(surface_, trial_->a);
+            Segment<m> other = here_.segment;
+            other[k] += here_.u[k] >= piece_[k].second ? 1 : -1;
+            mean += unit_normal(surface_, place_at(here_.u, other).a);
           }
-      return mean * c_->r >= 0 ? 1. : -1.;
+      return mean * result_.r >= 0 ? 1. : -1.;
     }
 
 
 
     template <int dim>
     void
-    Projection<dim>::set_gap(const bool third_derivatives)
+    Projection<dim>::finish(const bool third_derivatives)
     {
-      if (third_derivatives || c_->on_boundary)
-        evaluate(u_, segment_, 3, *c_);
+      evaluate_geometry(surface_,
+                        positions_,
+                        point_,
+                        here_.u,
+                        here_.segment,
+                        third_derivatives || result_.on_boundary ? 3 : 2,
+                        result_);
 
       bool all_free = true;
       for (int k = 0; k < m; ++k)
-        all_free = all_free && c_->free[k];
+        all_free = all_free && result_.free[k];
 
-      const Tensor<1, dim> n = unit_normal(surface_, c_->a);
-      const double         r = c_->r.norm();
-      if (all_free || r < 1e-12 * c_->a[0].norm())
+      const Tensor<1, dim> n = unit_normal(surface_, result_.a);
+      const double         r = result_.r.norm();
+      if (all_free || r < 1e-12 * result_.a[0].norm())
         {
-          c_->normal = n;
-          c_->gap    = n * c_->r;
+          result_.normal = n;
+          result_.gap    = n * result_.r;
           return;
         }
 
@@ -495,17 +476,17 @@ namespace NPT
       // point that slides over it jump from -d to +d: contact sees it rounded,
       // (A15), C1 where the surface ends. Without a radius the point is outside
       // of the body.
-      c_->surface_normal = n;
-      if (c_->on_boundary && surface_.edge_radius() > 0.)
+      result_.surface_normal = n;
+      if (result_.on_boundary && surface_.edge_radius() > 0.)
         {
-          c_->edge_radius = surface_.edge_radius();
-          c_->normal      = c_->r / r;
-          c_->gap         = RoundedEdge(c_->edge_radius, r, n * c_->r).gap;
+          result_.edge_radius = surface_.edge_radius();
+          result_.normal      = result_.r / r;
+          result_.gap = RoundedEdge(result_.edge_radius, r, n * result_.r).gap;
           return;
         }
-      const double side = c_->on_boundary ? 1. : side_of_kink(n);
-      c_->normal        = side * c_->r / r;
-      c_->gap           = side * r;
+      const double side = result_.on_boundary ? 1. : side_of_kink(n);
+      result_.normal    = side * result_.r / r;
+      result_.gap       = side * r;
     }
   } // namespace
 
@@ -522,8 +503,7 @@ namespace NPT
   {
     Projection<dim> projection(surface, positions, point, start, result);
     if (projection.minimize())
-      projection.set_gap(third_derivatives);
-    projection.hand_over();
+      projection.finish(third_derivatives);
   }
 
 
