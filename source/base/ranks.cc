@@ -5,6 +5,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace NPT
 {
   Ranks::Ranks(const MPI_Comm communicator)
@@ -120,6 +122,47 @@ namespace NPT
       if (all[p][0] < all[lowest][0])
         lowest = p;
     return all[lowest];
+  }
+
+
+
+  void
+  Ranks::exchange(void             *elements,
+                  const std::size_t n_elements,
+                  const std::size_t bytes_of_each) const
+  {
+    char *const bytes = static_cast<char *>(elements);
+    // In the order of processes, as they come in.
+    std::vector<int> sizes(n_, 0), offsets(n_ + 1, 0);
+    for (unsigned int p = 0; p < n_; ++p)
+      {
+        if (n_elements > p)
+          sizes[p] = ((n_elements - 1 - p) / n_ + 1) * bytes_of_each;
+        offsets[p + 1] = offsets[p] + sizes[p];
+      }
+    std::vector<char> own, all(offsets[n_]);
+    own.reserve(sizes[rank_]);
+    for (std::size_t k = rank_; k < n_elements; k += n_)
+      own.insert(own.end(),
+                 bytes + k * bytes_of_each,
+                 bytes + (k + 1) * bytes_of_each);
+    count(1, own.size());
+    MPI_Allgatherv(own.data(),
+                   sizes[rank_],
+                   MPI_BYTE,
+                   all.data(),
+                   sizes.data(),
+                   offsets.data(),
+                   MPI_BYTE,
+                   communicator_);
+    for (std::size_t k = 0; k < n_elements; ++k)
+      {
+        int &next = offsets[k % n_];
+        std::copy_n(all.data() + next,
+                    bytes_of_each,
+                    bytes + k * bytes_of_each);
+        next += bytes_of_each;
+      }
   }
 
 

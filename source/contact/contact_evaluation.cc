@@ -43,7 +43,8 @@ namespace NPT
   template <int dim>
   ContactStep<dim>
   ContactPair<dim>::begin_step(const ContactState<dim> &state,
-                               const Vector<double>    &accepted) const
+                               const Vector<double>    &accepted,
+                               const Ranks             &ranks) const
   {
     assert_sizes(state);
     ContactStep<dim> step;
@@ -62,20 +63,40 @@ namespace NPT
     const unsigned int       n_points = geometry_.points.size();
     const bool               by_angle =
       step.friction_on && friction_coefficient_.depends_on_angle();
-    std::vector<double> cosines(by_angle ? n_points : 0);
-    step.starts.resize(n_points);
-    step.behind.resize(n_points);
-    step.reach.of_point.resize(n_points);
+    // What is needed of the starts; each process finds some of them.
+    struct Start
+    {
+      ProjectionStart<dim> closest;
+      bool                 is_behind;
+      double               reach, cosine;
+    };
+    std::vector<Start> starts(n_points);
     for (unsigned int q = 0; q < n_points; ++q)
       {
+        if (!ranks.has(q))
+          continue;
         const ClosestPoint<dim> c =
           find_start(search, positions, state.closest[q], q);
-        step.starts[q]         = {true, c.surface, c.u};
-        step.behind[q]         = state.behind.empty() ? geometry_.is_deep(c) :
-                                                        state.behind[q] && c.gap < 0.;
-        step.reach.of_point[q] = reach_of_point(positions, c, step.behind[q]);
-        if (by_angle)
-          cosines[q] = cosine_of_fibers(positions, c, q);
+        Start &start  = starts[q];
+        start.closest = {c.found, c.surface, c.u};
+        if (!c.found)
+          continue;
+        start.is_behind = state.behind.empty() ? geometry_.is_deep(c) :
+                                                 state.behind[q] && c.gap < 0.;
+        start.reach     = reach_of_point(positions, c, start.is_behind);
+        start.cosine    = by_angle ? cosine_of_fibers(positions, c, q) : 0.;
+      }
+    ranks.exchange(starts);
+
+    std::vector<double> cosines;
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        if (!starts[q].closest.known)
+          throw_lost(q);
+        step.starts.push_back(starts[q].closest);
+        step.behind.push_back(starts[q].is_behind);
+        step.reach.of_point.push_back(starts[q].reach);
+        cosines.push_back(starts[q].cosine);
       }
     set_reach_of_nodes(step.reach);
     if (step.friction_on && friction_coefficient_.varies())
@@ -275,8 +296,6 @@ namespace NPT
             start.surface = candidate.surface;
           }
       }
-    if (!start.found)
-      throw_lost(q);
     return start;
   }
 
@@ -285,58 +304,50 @@ namespace NPT
   // ------------------------------------- where are the surfaces, and how far?
 
   template <int dim>
-  void
+  ClosestPlace<dim>
   ContactPair<dim>::find_closest(const ContactView<dim> &view,
-                                 const unsigned int      q,
-                                 ClosestPoint<dim>      &closest) const
+                                 const unsigned int      q) const
   {
     // Always from the start of the step: the answer must not depend on
     // the states tried before.
     const ProjectionStart<dim> &start = view.step.starts[q];
-    const SlipMeasure<dim>     *slip  = measure(view.step.friction_on);
-    project(geometry_.primaries[start.surface],
-            view.evaluation.positions.primaries[start.surface],
-            geometry_.position(view.evaluation.positions, q),
-            start.u,
-            slip != nullptr && slip->follows_closest_point(),
-            closest);
+    ClosestPlace<dim>           closest =
+      find_closest_place(geometry_.primaries[start.surface],
+                         view.evaluation.positions.primaries[start.surface],
+                         geometry_.position(view.evaluation.positions, q),
+                         start.u);
     if (!closest.found)
-      {
-        search_anew(view, q, closest);
-        return;
-      }
+      return search_anew(view, q);
     closest.surface = start.surface;
     try_neighbor(view, q, closest);
+    return closest;
   }
 
 
 
   template <int dim>
-  void
+  ClosestPlace<dim>
   ContactPair<dim>::search_anew(const ContactView<dim> &view,
-                                const unsigned int      q,
-                                ClosestPoint<dim>      &closest) const
+                                const unsigned int      q) const
   {
     // The warm start failed: search anew among the positions of now.
-    const auto             &primaries = view.evaluation.positions.primaries;
-    const SlipMeasure<dim> *slip      = measure(view.step.friction_on);
+    const auto      &primaries = view.evaluation.positions.primaries;
     const Point<dim> x = geometry_.position(view.evaluation.positions, q);
     const ContactSearch<dim> search(geometry_.primaries, primaries);
     for (const auto &candidate : search.nearest(x, 4))
       {
-        project(geometry_.primaries[candidate.surface],
-                primaries[candidate.surface],
-                x,
-                candidate.u,
-                slip != nullptr && slip->follows_closest_point(),
-                closest);
+        ClosestPlace<dim> closest =
+          find_closest_place(geometry_.primaries[candidate.surface],
+                             primaries[candidate.surface],
+                             x,
+                             candidate.u);
         if (closest.found)
           {
             closest.surface = candidate.surface;
-            return;
+            return closest;
           }
       }
-    throw_lost(q);
+    return {};
   }
 
 
@@ -345,7 +356,7 @@ namespace NPT
   void
   ContactPair<dim>::try_neighbor(const ContactView<dim> &view,
                                  const unsigned int      q,
-                                 ClosestPoint<dim>      &closest) const
+                                 ClosestPlace<dim>      &closest) const
   {
     // At the end of a piece its neighbor on the strand may be closer.
     const ContactSurface<dim> &piece = geometry_.primaries[closest.surface];
@@ -362,18 +373,46 @@ namespace NPT
       geometry_.primaries[next].surface().knot_vector(along).breaks();
     std::array<double, m> u = closest.u;
     u[along] = side == 1 ? next_breaks.front() : next_breaks.back();
-    const SlipMeasure<dim> *slip = measure(view.step.friction_on);
-    ClosestPoint<dim>       other;
-    project(geometry_.primaries[next],
-            view.evaluation.positions.primaries[next],
-            geometry_.position(view.evaluation.positions, q),
-            u,
-            slip != nullptr && slip->follows_closest_point(),
-            other);
-    if (other.found && other.r.norm() < closest.r.norm() * (1 - 1e-12))
+    ClosestPlace<dim> other =
+      find_closest_place(geometry_.primaries[next],
+                         view.evaluation.positions.primaries[next],
+                         geometry_.position(view.evaluation.positions, q),
+                         u);
+    if (other.found && other.distance < closest.distance * (1 - 1e-12))
       {
         closest         = other;
         closest.surface = next;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::find_all_closest(const ContactView<dim>         &view,
+                                     std::vector<ClosestPoint<dim>> &closest,
+                                     const Ranks &ranks) const
+  {
+    const unsigned int             n_points = geometry_.points.size();
+    std::vector<ClosestPlace<dim>> places(n_points);
+    for (unsigned int q = 0; q < n_points; ++q)
+      if (ranks.has(q))
+        places[q] = find_closest(view, q);
+    ranks.exchange(places);
+
+    const SlipMeasure<dim> *slip = measure(view.step.friction_on);
+    closest.resize(n_points);
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        if (!places[q].found)
+          throw_lost(q);
+        const unsigned int surface = places[q].surface;
+        compute_closest_point(geometry_.primaries[surface],
+                              view.evaluation.positions.primaries[surface],
+                              geometry_.position(view.evaluation.positions, q),
+                              places[q],
+                              slip != nullptr && slip->follows_closest_point(),
+                              closest[q]);
       }
   }
 
@@ -548,7 +587,8 @@ namespace NPT
   void
   ContactPair<dim>::evaluate(const ContactStep<dim> &step,
                              const Vector<double>   &displacement,
-                             ContactEvaluation<dim> &evaluation) const
+                             ContactEvaluation<dim> &evaluation,
+                             const Ranks            &ranks) const
   {
     const unsigned int n_points = geometry_.points.size();
     AssertDimension(step.starts.size(), n_points);
@@ -560,14 +600,11 @@ namespace NPT
     evaluation.reach       = step.reach;
 
     geometry_.update_positions(displacement, evaluation.positions);
-    evaluation.closest.resize(n_points);
+    find_all_closest(view, evaluation.closest, ranks);
     evaluation.slip.resize(n_points);
-    for (unsigned int q = 0; q < n_points; ++q)
-      {
-        find_closest(view, q, evaluation.closest[q]);
-        if (slip_measure != nullptr)
-          slip_measure->evaluate_point(view, q, evaluation.slip[q]);
-      }
+    if (slip_measure != nullptr)
+      for (unsigned int q = 0; q < n_points; ++q)
+        slip_measure->evaluate_point(view, q, evaluation.slip[q]);
 
     evaluation.point_pressure.assign(n_points, 0.);
     evaluation.point_traction.assign(n_points, std::array<double, m>{});
@@ -613,16 +650,17 @@ namespace NPT
 
 
 
-#define NPT_INSTANTIATE(dim)                                                \
-  template ContactStep<dim> ContactPair<dim>::begin_step(                   \
-    const ContactState<dim> &, const Vector<double> &) const;               \
-  template void ContactPair<dim>::evaluate(const ContactStep<dim> &,        \
-                                           const Vector<double> &,          \
-                                           ContactEvaluation<dim> &) const; \
-  template void ContactPair<dim>::augment(ContactStep<dim> &,               \
-                                          const ContactEvaluation<dim> &,   \
-                                          const double) const;              \
-  template std::vector<double> ContactPair<dim>::slip_path_after(           \
+#define NPT_INSTANTIATE(dim)                                                 \
+  template ContactStep<dim> ContactPair<dim>::begin_step(                    \
+    const ContactState<dim> &, const Vector<double> &, const Ranks &) const; \
+  template void ContactPair<dim>::evaluate(const ContactStep<dim> &,         \
+                                           const Vector<double> &,           \
+                                           ContactEvaluation<dim> &,         \
+                                           const Ranks &) const;             \
+  template void ContactPair<dim>::augment(ContactStep<dim> &,                \
+                                          const ContactEvaluation<dim> &,    \
+                                          const double) const;               \
+  template std::vector<double> ContactPair<dim>::slip_path_after(            \
     const ContactStep<dim> &, const ContactEvaluation<dim> &) const;
   NPT_INSTANTIATE(2)
   NPT_INSTANTIATE(3)

@@ -78,7 +78,7 @@ namespace NPT
     std::vector<ContactStep<3>> steps;
     for (unsigned int k = 0; k < contacts().size(); ++k)
       steps.push_back(
-        contacts()[k]->begin_step(accepted.contact[k], accepted.u));
+        contacts()[k]->begin_step(accepted.contact[k], accepted.u, ranks()));
     return steps;
   }
 
@@ -94,7 +94,7 @@ namespace NPT
     for (unsigned int k = 0; k < contacts().size(); ++k)
       {
         const ContactPair<3> &pair = *contacts()[k];
-        pair.evaluate(increment.contact[k], trial.u, trial.contact[k]);
+        pair.evaluate(increment.contact[k], trial.u, trial.contact[k], ranks());
         pair.add_residual(increment.contact[k], trial.contact[k], force);
       }
   }

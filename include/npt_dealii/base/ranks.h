@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace NPT
@@ -99,6 +100,16 @@ namespace NPT
     /// the same one, the first of them.
     std::vector<double>
     of_lowest(const std::vector<double> &numbers) const;
+    /// Element k of what the process has that has(k), for all k. The elements
+    /// are copied byte by byte.
+    template <typename T>
+    void
+    exchange(std::vector<T> &elements) const
+    {
+      static_assert(std::is_trivially_copyable_v<T>);
+      if (!is_alone())
+        exchange(elements.data(), elements.size(), sizeof(T));
+    }
     /// What the first one has.
     void
     broadcast(dealii::Vector<double> &x) const;
@@ -108,6 +119,10 @@ namespace NPT
   private:
     void
     count(const unsigned int n_calls, const std::size_t bytes) const;
+    void
+    exchange(void             *elements,
+             const std::size_t n_elements,
+             const std::size_t bytes_of_each) const;
 
     MPI_Comm     communicator_ = MPI_COMM_SELF;
     unsigned int n_            = 1;

@@ -93,19 +93,23 @@ namespace NPT
     // ----------------------------------------------------------- load step
 
     /// Start values and references of a load step: a full search for the
-    /// closest points of the accepted displacement. Throws ProjectionLost if a
-    /// point has none.
+    /// closest points of the accepted displacement, of which each process
+    /// searches some. Throws ProjectionLost, on all processes, if a point has
+    /// none.
     ContactStep<dim>
     begin_step(const ContactState<dim>      &state,
-               const dealii::Vector<double> &accepted_displacement) const;
+               const dealii::Vector<double> &accepted_displacement,
+               const Ranks                  &ranks = {}) const;
 
     /// Compute gaps, pressures and tractions at this displacement. The answer
     /// depends on step and displacement only; the storage of the evaluation is
-    /// used again. Throws ProjectionLost if a point has no closest point.
+    /// used again. Each process looks for some of the closest points. Throws
+    /// ProjectionLost, on all processes, if a point has none.
     void
     evaluate(const ContactStep<dim>       &step,
              const dealii::Vector<double> &displacement,
-             ContactEvaluation<dim>       &evaluation) const;
+             ContactEvaluation<dim>       &evaluation,
+             const Ranks                  &ranks = {}) const;
 
     /// Add C_c of the evaluated state to a full residual vector.
     void
@@ -327,18 +331,19 @@ namespace NPT
     std::vector<double>
     slip_path_after(const ContactStep<dim>       &step,
                     const ContactEvaluation<dim> &evaluation) const;
-    void
-    find_closest(const ContactView<dim> &view,
-                 const unsigned int      q,
-                 ClosestPoint<dim>      &closest) const;
-    void
-    search_anew(const ContactView<dim> &view,
-                const unsigned int      q,
-                ClosestPoint<dim>      &closest) const;
+    ClosestPlace<dim>
+    find_closest(const ContactView<dim> &view, const unsigned int q) const;
+    ClosestPlace<dim>
+    search_anew(const ContactView<dim> &view, const unsigned int q) const;
     void
     try_neighbor(const ContactView<dim> &view,
                  const unsigned int      q,
-                 ClosestPoint<dim>      &closest) const;
+                 ClosestPlace<dim>      &closest) const;
+    // Those of all points; each process finds some of them.
+    void
+    find_all_closest(const ContactView<dim>         &view,
+                     std::vector<ClosestPoint<dim>> &closest,
+                     const Ranks                    &ranks) const;
 
     // What do the laws answer?
     void

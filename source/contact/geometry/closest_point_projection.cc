@@ -117,18 +117,14 @@ namespace NPT
       Projection(const ContactSurface<dim>         &surface,
                  const std::vector<Point<dim>>     &positions,
                  const Point<dim>                  &point,
-                 const std::array<double, dim - 1> &start,
-                 ClosestPoint<dim>                 &result);
+                 const std::array<double, dim - 1> &start);
 
-      // Minimize the distance, (10); false if the iteration fails.
-      bool
+      // Minimize the distance, (10); found = false if the iteration fails.
+      ClosestPlace<dim>
       minimize();
 
-      // Geometry, gap and normal at the closest point, (9) and (A15).
-      void
-      finish(const bool third_derivatives);
-
     private:
+      // A point of the surface.
       struct Place
       {
         std::array<double, m>         u;
@@ -158,10 +154,8 @@ namespace NPT
       change_piece(const bool *free);
       bool
       line_search(const Step &newton, const bool last);
-      void
-      set_free(const bool *free);
-      double
-      side_of_kink(const Tensor<1, dim> &n) const;
+      ClosestPlace<dim>
+      found(const bool *free) const;
 
       Place
       place_at(const std::array<double, m> &u, const Segment<m> &segment) const
@@ -177,7 +171,6 @@ namespace NPT
 
       std::array<std::pair<double, double>, m> domain_, piece_;
       Place                                    here_;
-      ClosestPoint<dim>                       &result_;
       double                                   distance2_;
       unsigned int                             n_changes_ = 0;
     };
@@ -188,13 +181,11 @@ namespace NPT
     Projection<dim>::Projection(const ContactSurface<dim>         &surface,
                                 const std::vector<Point<dim>>     &positions,
                                 const Point<dim>                  &point,
-                                const std::array<double, dim - 1> &start,
-                                ClosestPoint<dim>                 &result)
+                                const std::array<double, dim - 1> &start)
       : surface_(surface)
       , face_(surface.surface())
       , positions_(positions)
       , point_(point)
-      , result_(result)
     {
       std::array<double, m> u = start;
       Segment<m>            segment;
@@ -206,17 +197,14 @@ namespace NPT
           segment[k] = face_.find_segment(k, u[k]);
           piece_[k]  = surface_.smooth_piece(k, segment[k]);
         }
-      result_.found       = false;
-      result_.edge_radius = 0.;
-      result_.on_boundary = false;
-      here_               = place_at(u, segment);
-      distance2_          = here_.r.norm_square();
+      here_      = place_at(u, segment);
+      distance2_ = here_.r.norm_square();
     }
 
 
 
     template <int dim>
-    bool
+    ClosestPlace<dim>
     Projection<dim>::minimize()
     {
       // Newton's step below this part of the size doubles its digits: the next
@@ -228,7 +216,7 @@ namespace NPT
         {
           Step newton;
           if (!compute_step(newton))
-            return false; // degenerate surface
+            return {}; // degenerate surface
           if (!newton.any_free || last || newton.length == 0. ||
               newton.decrement <= 0)
             {
@@ -238,8 +226,7 @@ namespace NPT
                   last = false;
                   continue;
                 }
-              set_free(newton.free);
-              return true;
+              return found(newton.free);
             }
 
           const double scale =
@@ -250,11 +237,11 @@ namespace NPT
               // Too near for comparing distances, too far for the last step
               // (large coordinates): Newton's step is still the better guess.
               if (newton.gauss_newton || newton.length > 1e-5 * scale)
-                return false;
+                return {};
               last = true;
             }
         }
-      return false;
+      return {};
     }
 
 
@@ -407,13 +394,17 @@ namespace NPT
 
 
     template <int dim>
-    void
-    Projection<dim>::set_free(const bool *free)
+    ClosestPlace<dim>
+    Projection<dim>::found(const bool *free) const
     {
-      result_.found = true;
+      ClosestPlace<dim> place;
+      place.found    = true;
+      place.u        = here_.u;
+      place.segment  = here_.segment;
+      place.distance = here_.r.norm();
       for (int k = 0; k < m; ++k)
         {
-          result_.free[k] = free[k];
+          place.free[k] = free[k];
           // Where another piece of the strand continues the surface, its end
           // is not a boundary of the body.
           if (!free[k] &&
@@ -421,8 +412,9 @@ namespace NPT
                 !(k == surface_.along() && surface_.neighbor(0) >= 0)) ||
                (here_.u[k] >= domain_[k].second &&
                 !(k == surface_.along() && surface_.neighbor(1) >= 0))))
-            result_.on_boundary = true;
+            place.on_boundary = true;
         }
+      return place;
     }
 
 
@@ -431,64 +423,92 @@ namespace NPT
     // outside (1).
     template <int dim>
     double
-    Projection<dim>::side_of_kink(const Tensor<1, dim> &n) const
+    side_of_kink(const ContactSurface<dim>     &surface,
+                 const std::vector<Point<dim>> &positions,
+                 const ClosestPoint<dim>       &c)
     {
-      Tensor<1, dim> mean = n;
-      for (int k = 0; k < m; ++k)
-        if (!result_.free[k] && here_.u[k] > domain_[k].first &&
-            here_.u[k] < domain_[k].second)
-          {
-            Segment<m> other = here_.segment;
-            other[k] += here_.u[k] >= piece_[k].second ? 1 : -1;
-            mean += unit_normal(surface_, place_at(here_.u, other).a);
-          }
-      return mean * result_.r >= 0 ? 1. : -1.;
-    }
-
-
-
-    template <int dim>
-    void
-    Projection<dim>::finish(const bool third_derivatives)
-    {
-      evaluate_geometry(surface_,
-                        positions_,
-                        point_,
-                        here_.u,
-                        here_.segment,
-                        third_derivatives || result_.on_boundary ? 3 : 2,
-                        result_);
-
-      bool all_free = true;
-      for (int k = 0; k < m; ++k)
-        all_free = all_free && result_.free[k];
-
-      const Tensor<1, dim> n = unit_normal(surface_, result_.a);
-      const double         r = result_.r.norm();
-      if (all_free || r < 1e-12 * result_.a[0].norm())
+      Tensor<1, dim> mean = c.surface_normal;
+      for (int k = 0; k < dim - 1; ++k)
         {
-          result_.normal = n;
-          result_.gap    = n * result_.r;
-          return;
+          const auto &breaks = surface.surface().segment_breaks(k);
+          if (c.free[k] || c.u[k] <= breaks.front() || c.u[k] >= breaks.back())
+            continue;
+          Segment<dim - 1> other = c.segment;
+          other[k] +=
+            c.u[k] >= surface.smooth_piece(k, c.segment[k]).second ? 1 : -1;
+          mean +=
+            unit_normal(surface,
+                        surface.surface().jet(c.u, positions, other).first);
         }
-
-      // Edge or corner. A sharp boundary would make the gap of a penetrating
-      // point that slides over it jump from -d to +d: contact sees it rounded,
-      // (A15), C1 where the surface ends. Without a radius the point is outside
-      // of the body.
-      result_.surface_normal = n;
-      if (result_.on_boundary && surface_.edge_radius() > 0.)
-        {
-          result_.edge_radius = surface_.edge_radius();
-          result_.normal      = result_.r / r;
-          result_.gap = RoundedEdge(result_.edge_radius, r, n * result_.r).gap;
-          return;
-        }
-      const double side = result_.on_boundary ? 1. : side_of_kink(n);
-      result_.normal    = side * result_.r / r;
-      result_.gap       = side * r;
+      return mean * c.r >= 0 ? 1. : -1.;
     }
   } // namespace
+
+
+
+  template <int dim>
+  ClosestPlace<dim>
+  find_closest_place(const ContactSurface<dim>         &surface,
+                     const std::vector<Point<dim>>     &positions,
+                     const Point<dim>                  &point,
+                     const std::array<double, dim - 1> &start)
+  {
+    return Projection<dim>(surface, positions, point, start).minimize();
+  }
+
+
+
+  template <int dim>
+  void
+  compute_closest_point(const ContactSurface<dim>     &surface,
+                        const std::vector<Point<dim>> &positions,
+                        const Point<dim>              &point,
+                        const ClosestPlace<dim>       &place,
+                        const bool                     third_derivatives,
+                        ClosestPoint<dim>             &c)
+  {
+    static_cast<ClosestPlace<dim> &>(c) = place;
+    c.edge_radius                       = 0.;
+    if (!place.found)
+      return;
+    evaluate_geometry(surface,
+                      positions,
+                      point,
+                      place.u,
+                      place.segment,
+                      third_derivatives || place.on_boundary ? 3 : 2,
+                      c);
+
+    bool all_free = true;
+    for (const bool free : c.free)
+      all_free = all_free && free;
+
+    const Tensor<1, dim> n = unit_normal(surface, c.a);
+    const double         r = c.r.norm();
+    if (all_free || r < 1e-12 * c.a[0].norm())
+      {
+        c.normal = n;
+        c.gap    = n * c.r;
+        return;
+      }
+
+    // Edge or corner. A sharp boundary would make the gap of a penetrating
+    // point that slides over it jump from -d to +d: contact sees it rounded,
+    // (A15), C1 where the surface ends. Without a radius the point is outside
+    // of the body.
+    c.surface_normal = n;
+    if (c.on_boundary && surface.edge_radius() > 0.)
+      {
+        c.edge_radius = surface.edge_radius();
+        c.normal      = c.r / r;
+        c.gap         = RoundedEdge(c.edge_radius, r, n * c.r).gap;
+        return;
+      }
+    const double side =
+      c.on_boundary ? 1. : side_of_kink(surface, positions, c);
+    c.normal = side * c.r / r;
+    c.gap    = side * r;
+  }
 
 
 
@@ -501,25 +521,35 @@ namespace NPT
           const bool                         third_derivatives,
           ClosestPoint<dim>                 &result)
   {
-    Projection<dim> projection(surface, positions, point, start, result);
-    if (projection.minimize())
-      projection.finish(third_derivatives);
+    compute_closest_point(surface,
+                          positions,
+                          point,
+                          find_closest_place(surface, positions, point, start),
+                          third_derivatives,
+                          result);
   }
 
 
 
-  template void
-  project(const ContactSurface<2> &,
-          const std::vector<Point<2>> &,
-          const Point<2> &,
-          const std::array<double, 1> &,
-          const bool,
-          ClosestPoint<2> &);
-  template void
-  project(const ContactSurface<3> &,
-          const std::vector<Point<3>> &,
-          const Point<3> &,
-          const std::array<double, 2> &,
-          const bool,
-          ClosestPoint<3> &);
+#define NPT_INSTANTIATE(dim)                                           \
+  template ClosestPlace<dim> find_closest_place(                       \
+    const ContactSurface<dim> &,                                       \
+    const std::vector<Point<dim>> &,                                   \
+    const Point<dim> &,                                                \
+    const std::array<double, dim - 1> &);                              \
+  template void compute_closest_point(const ContactSurface<dim> &,     \
+                                      const std::vector<Point<dim>> &, \
+                                      const Point<dim> &,              \
+                                      const ClosestPlace<dim> &,       \
+                                      const bool,                      \
+                                      ClosestPoint<dim> &);            \
+  template void project(const ContactSurface<dim> &,                   \
+                        const std::vector<Point<dim>> &,               \
+                        const Point<dim> &,                            \
+                        const std::array<double, dim - 1> &,           \
+                        const bool,                                    \
+                        ClosestPoint<dim> &);
+  NPT_INSTANTIATE(2)
+  NPT_INSTANTIATE(3)
+#undef NPT_INSTANTIATE
 } // namespace NPT

@@ -10,28 +10,41 @@
 namespace NPT
 {
   /**
-   * Closest point xi-bar of a primary surface (10) and the geometry there.
+   * Where the closest point xi-bar of a primary surface (10) is.
    *
    * A direction that is not `free` is held at a boundary of the surface, or at
    * a knot where the surface is only C0: there the closest point lies on an
-   * edge or corner, r = x^s - x^m is not orthogonal to the surface, and
-   * the unit vector r/|r| takes the place of the normal (normal cone). So the
-   * gap depends continuously on the state also on C0 surfaces.
+   * edge or corner.
    */
   template <int dim>
-  struct ClosestPoint
+  struct ClosestPlace
   {
     static constexpr int m = dim - 1;
 
-    bool                        found   = false;
-    unsigned int                surface = 0;         ///< which primary surface
-    std::array<double, m>       u;                   ///< parameters xi-bar
-    std::array<unsigned int, m> segment;             ///< polynomial used
-    std::array<bool, m>         free;                ///< orthogonal direction
+    bool                        found       = false;
+    unsigned int                surface     = 0;     ///< which primary surface
+    std::array<double, m>       u           = {};    ///< parameters xi-bar
+    std::array<unsigned int, m> segment     = {};    ///< polynomial used
+    std::array<bool, m>         free        = {};    ///< orthogonal direction
     bool                        on_boundary = false; ///< of the surface
-    double                      gap         = 0;     ///< (9) [mm], > 0 open
-    dealii::Tensor<1, dim>      normal;              ///< unit; gap = normal . r
-    dealii::Tensor<1, dim>      r;                   ///< x^s - x^m
+    double                      distance    = 0;     ///< |x^s - x^m| [mm]
+  };
+
+  /**
+   * Closest point xi-bar of a primary surface (10) and the geometry there.
+   *
+   * Where a direction is not `free`, r = x^s - x^m is not orthogonal to the
+   * surface, and the unit vector r/|r| takes the place of the normal (normal
+   * cone). So the gap depends continuously on the state also on C0 surfaces.
+   */
+  template <int dim>
+  struct ClosestPoint : ClosestPlace<dim>
+  {
+    using ClosestPlace<dim>::m;
+
+    double                 gap = 0; ///< (9) [mm], > 0 open
+    dealii::Tensor<1, dim> normal;  ///< unit; gap = normal . r
+    dealii::Tensor<1, dim> r;       ///< x^s - x^m
     /// If positive, the closest point is on a rounded boundary of this radius
     /// [mm]: the gap is that of Eq. (A15), and `normal` is r/|r|.
     double                 edge_radius = 0.;
@@ -80,12 +93,35 @@ namespace NPT
    * @param positions Current control points of the surface.
    * @param point x^s.
    * @param start Start parameters.
+   *
+   * Return found = false if the iteration failed (then the caller tries
+   * another start or gives up). Member `surface` is left to the caller.
+   */
+  template <int dim>
+  ClosestPlace<dim>
+  find_closest_place(const ContactSurface<dim>             &surface,
+                     const std::vector<dealii::Point<dim>> &positions,
+                     const dealii::Point<dim>              &point,
+                     const std::array<double, dim - 1>     &start);
+
+  /**
+   * Compute the geometry at a place that was found with the same positions and
+   * point.
+   *
    * @param third_derivatives Compute x_third as well (needed by the tangent of
    *   friction only).
-   * @param result The closest point; found = false if the iteration failed
-   *   (then the caller tries another start or gives up). Member `surface` is
-   *   left to the caller.
+   * @param result Its storage is used again.
    */
+  template <int dim>
+  void
+  compute_closest_point(const ContactSurface<dim>             &surface,
+                        const std::vector<dealii::Point<dim>> &positions,
+                        const dealii::Point<dim>              &point,
+                        const ClosestPlace<dim>               &place,
+                        const bool         third_derivatives,
+                        ClosestPoint<dim> &result);
+
+  /// Both: find the place and, if it was found, compute the geometry there.
   template <int dim>
   void
   project(const ContactSurface<dim>             &surface,
