@@ -405,38 +405,57 @@ namespace NPT
 
 
   template <int dim>
+  std::vector<unsigned int>
+  ContactPair<dim>::own_averages(const ContactView<dim> &view,
+                                 const Ranks            &ranks) const
+  {
+    std::vector<unsigned int> nodes;
+    if (!nodes_are_points_)
+      for (unsigned int I = 0; I < n_nodes(); ++I)
+        if (view.evaluation.nodes[I].active &&
+            view.step.reach.of_node[I] > 0. && acts(I, view.step.friction_on))
+          nodes.push_back(I);
+    const auto [begin, end] = ranks.share_of(nodes.size());
+    return {nodes.begin() + begin, nodes.begin() + end};
+  }
+
+
+
+  template <int dim>
   void
   ContactPair<dim>::add_tangent_of_points(
     const ContactView<dim>       &view,
+    const std::vector<bool>      &averaged,
     std::vector<Variations<dim>> &of_points,
     const AddMatrix              &add,
     const Ranks                  &ranks) const
   {
     PointFunctions<dim> functions;
     std::vector<double> block;
-    const auto          groups = groups_of_points(view);
+    const auto          groups   = groups_of_points(view);
+    const auto [first, last]     = ranks.share_of(groups.size());
+    const bool has_friction_here = nodes_are_points_ || at_points(view);
     for (unsigned int g = 0; g < groups.size(); ++g)
       {
-        // Averages need the first variations of all their points.
-        const bool is_mine = ranks.has(g);
-        if (!is_mine && nodes_are_points_)
-          continue;
-        const auto &group = groups[g];
+        const bool is_mine = g >= first && g < last;
         block.clear();
-        for (const unsigned int q : group)
+        for (const unsigned int q : groups[g])
           {
+            if (!is_mine && !averaged[q])
+              continue;
             const ContactKinematics<dim> kinematics(view.evaluation.closest[q]);
             point_functions(view, q, functions);
+            point_variations(view, q, kinematics, functions, of_points[q]);
+            if (!is_mine)
+              continue;
             block.resize(dealii::Utilities::fixed_power<2>(
                            dim * functions.dofs.size()),
                          0.);
-            if (is_mine)
-              add_second_variations(view, q, kinematics, functions, block);
-            point_variations(view, q, kinematics, functions, of_points[q]);
+            add_second_variations(view, q, kinematics, functions, block);
             if (nodes_are_points_)
               add_normal_product(view, q, of_points[q].rows[0], block);
-            if (is_mine && (nodes_are_points_ || at_points(view)) &&
-                view.step.friction_on && view.evaluation.friction[q].active())
+            if (has_friction_here && view.step.friction_on &&
+                view.evaluation.friction[q].active())
               add_friction_products(view, q, of_points[q], block);
           }
         if (is_mine)
@@ -450,19 +469,15 @@ namespace NPT
   void
   ContactPair<dim>::add_tangent_of_nodes(
     const ContactView<dim>             &view,
+    const std::vector<unsigned int>    &nodes,
     const std::vector<Variations<dim>> &of_points,
-    const AddMatrix                    &add,
-    const Ranks                        &ranks) const
+    const AddMatrix                    &add) const
   {
     Variations<dim>           average;
     std::vector<unsigned int> slot;
     std::vector<double>       block;
-    for (unsigned int I = 0; I < n_nodes(); ++I)
+    for (const unsigned int I : nodes)
       {
-        if (!ranks.has(I) || !view.evaluation.nodes[I].active ||
-            !(view.step.reach.of_node[I] > 0.) ||
-            !acts(I, view.step.friction_on))
-          continue;
         average_variations(view, I, of_points, slot, average);
         block.assign(dealii::Utilities::fixed_power<2>(dim *
                                                        average.dofs.size()),
@@ -489,15 +504,21 @@ namespace NPT
                                 const Ranks                  &ranks) const
   {
     assert_belongs(step, evaluation);
-    const ContactView<dim>       view{geometry_, step, evaluation};
-    std::vector<Variations<dim>> of_points(geometry_.points.size());
+    const ContactView<dim> view{geometry_, step, evaluation};
+    // Neighbors go to one process, so that it needs few points of others.
+    const std::vector<unsigned int> nodes = own_averages(view, ranks);
+    std::vector<bool>               averaged(geometry_.points.size(), false);
+    for (const unsigned int I : nodes)
+      for (const auto &entry : geometry_.averaging.nodes()[I].entries)
+        averaged[entry.point] = true;
+
     // 1. What belongs to single points: pressure and traction times the second
     // variations, and all of it where a node is a single point.
-    add_tangent_of_points(view, of_points, add, ranks);
+    std::vector<Variations<dim>> of_points(geometry_.points.size());
+    add_tangent_of_points(view, averaged, of_points, add, ranks);
     // 2. What couples all points of a node: products of the averaged first
     // variations.
-    if (!nodes_are_points_)
-      add_tangent_of_nodes(view, of_points, add, ranks);
+    add_tangent_of_nodes(view, nodes, of_points, add);
   }
 
 

@@ -56,18 +56,20 @@ namespace NPT
         add_images();
       }
 
+      // Each process looks at some of the samples.
       BundleOverlap
-      deepest() const
+      deepest(const Ranks &ranks) const
       {
         BundleOverlap result;
         unsigned int  n = 0, n_inside = 0;
         for (unsigned int b = 0; b < bodies_.size(); ++b)
           for (const auto &place : samples(bodies_[b]))
             {
+              if (!ranks.has(n++))
+                continue;
               const Point<3>        x = bodies_[b].value(place);
               std::optional<double> own;
               bool                  is_inside = false;
-              ++n;
               for (const Image &image : images_)
                 {
                   if (!compared(b, image))
@@ -94,11 +96,29 @@ namespace NPT
                     result = {depth, 0., b, image.bundle, x};
                 }
             }
-        result.share = static_cast<double>(n_inside) / n;
+        if (!ranks.is_alone())
+          result = deepest_of(result, ranks);
+        result.share = ranks.sum(static_cast<double>(n_inside)) / n;
         return result;
       }
 
     private:
+      static BundleOverlap
+      deepest_of(const BundleOverlap &own, const Ranks &ranks)
+      {
+        const auto numbers = ranks.of_lowest({-own.depth,
+                                              static_cast<double>(own.bundle),
+                                              static_cast<double>(own.other),
+                                              own.place[0],
+                                              own.place[1],
+                                              own.place[2]});
+        return {-numbers[0],
+                0.,
+                static_cast<unsigned int>(numbers[1]),
+                static_cast<unsigned int>(numbers[2]),
+                dealii::Point<3>(numbers[3], numbers[4], numbers[5])};
+      }
+
       // A round edge is as wide as half of its height.
       double
       edge_radius(const unsigned int bundle) const
@@ -258,12 +278,13 @@ namespace NPT
                const Vector<double>              &u,
                const std::vector<Point<3>>       &woven,
                const std::optional<Tensor<1, 2>> &bends_along,
-               const bool                         round_edges)
+               const bool                         round_edges,
+               const Ranks                       &ranks)
   {
     if (cell.parameters().type == "laminate")
       return {};
     return OverlapSearch(cell, space, macro, u, woven, bends_along, round_edges)
-      .deepest();
+      .deepest(ranks);
   }
 
 

@@ -4,6 +4,7 @@
 #include <npt_dealii/linear_algebra/front_tree.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -53,24 +54,21 @@ namespace NPT
              ++k)
           if (place[pattern.neighbors[k]] > j)
             rows[j].push_back(place[pattern.neighbors[k]]);
-      std::vector<int> seen_by(n, -1);
+      std::vector<int> all;
       for (int j = 0; j < n; ++j)
         {
-          std::vector<int> all;
-          seen_by[j]     = j;
-          const auto add = [&](const std::vector<int> &list) {
-            for (const int row : list)
-              if (seen_by[row] != j)
-                {
-                  seen_by[row] = j;
-                  all.push_back(row);
-                }
-          };
-          add(rows[j]);
+          std::sort(rows[j].begin(), rows[j].end());
           for (const int child : first_row_is[j])
-            add(rows[child]);
-          std::sort(all.begin(), all.end());
-          rows[j] = std::move(all);
+            {
+              all.clear();
+              // The first row of a child is j itself.
+              std::set_union(rows[j].begin(),
+                             rows[j].end(),
+                             rows[child].begin() + 1,
+                             rows[child].end(),
+                             std::back_inserter(all));
+              rows[j].assign(all.begin(), all.end());
+            }
           if (!rows[j].empty())
             first_row_is[rows[j].front()].push_back(j);
         }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace NPT
@@ -68,6 +69,14 @@ namespace NPT
     has(const unsigned int k) const
     {
       return k % n_ == rank_;
+    }
+
+    /// Which pieces of n_pieces in a row are this process's: from the first
+    /// number to below the second one.
+    std::pair<std::size_t, std::size_t>
+    share_of(const std::size_t n_pieces) const
+    {
+      return {n_pieces * rank_ / n_, n_pieces * (rank_ + 1) / n_};
     }
 
     /// What the member functions have exchanged so far, copies of the object

@@ -420,17 +420,22 @@ namespace NPT
     // Loaded points that share all their functions.
     std::vector<std::vector<unsigned int>>
     groups_of_points(const ContactView<dim> &view) const;
-    // Blocks of single points, whose first variations are kept, and of nodes.
+    // Nodes of several points that act, those of this process.
+    std::vector<unsigned int>
+    own_averages(const ContactView<dim> &view, const Ranks &ranks) const;
+    // Blocks of single points, of which the first variations are kept where
+    // they are averaged, and of nodes.
     void
     add_tangent_of_points(const ContactView<dim>       &view,
+                          const std::vector<bool>      &averaged,
                           std::vector<Variations<dim>> &of_points,
                           const AddMatrix              &add,
                           const Ranks                  &ranks) const;
     void
     add_tangent_of_nodes(const ContactView<dim>             &view,
+                         const std::vector<unsigned int>    &nodes,
                          const std::vector<Variations<dim>> &of_points,
-                         const AddMatrix                    &add,
-                         const Ranks                        &ranks) const;
+                         const AddMatrix                    &add) const;
 
     const ContactGeometry<dim>                    geometry_;
     const bool                                    nodes_are_points_;

@@ -5,6 +5,7 @@
 #ifndef npt_dealii_homogenization_bundle_overlap_h
 #define npt_dealii_homogenization_bundle_overlap_h
 
+#include <npt_dealii/base/ranks.h>
 #include <npt_dealii/fabric/fabric_cell.h>
 #include <npt_dealii/homogenization/macro_unknowns.h>
 #include <npt_dealii/iga/iga_space.h>
@@ -47,6 +48,7 @@ namespace NPT
    * @param bends_along With objective jumps: the direction of curvature.
    * @param round_edges Whether bundles have round edges, (A47) of
    *   doc/theory.md: what lies beyond them does not count.
+   * @param ranks Share the work.
    *
    * While a weaving offset holds the families apart only bundles of one family
    * are compared. A laminate has nothing to compare: its plies are one piece.
@@ -58,7 +60,8 @@ namespace NPT
                const dealii::Vector<double>              &u,
                const std::vector<dealii::Point<3>>       &woven,
                const std::optional<dealii::Tensor<1, 2>> &bends_along = {},
-               const bool                                 round_edges = false);
+               const bool                                 round_edges = false,
+               const Ranks                               &ranks       = {});
 
   /// "warp bundle 0 and weft bundle 1 at (0.1, 0.2, 0.3) mm".
   std::string

@@ -65,7 +65,8 @@ namespace NPT
                    state.u,
                    woven,
                    stage.bends_along,
-                   has_round_edges(cell.fabric(), parameters_.contact));
+                   has_round_edges(cell.fabric(), parameters_.contact),
+                   cell.bodies().ranks());
     const double thickness = parameters_.cell.bundle_thickness.smaller();
     const double allowed   = parameters_.contact.maximum_overlap * thickness;
     // Where everything is allowed the usual limit tells what is much.
