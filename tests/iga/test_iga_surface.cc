@@ -345,6 +345,83 @@ TEST_CASE("Surface functions without weights are products of those of Cox and "
 
 
 
+namespace
+{
+  // Against the sum over the functions, at some points of all segments.
+  template <int m, int dim>
+  void
+  check_jet(const IGASurface<dim> &surface)
+  {
+    std::vector<Point<dim>> positions;
+    for (unsigned int l = 0; l < surface.n_control_points(); ++l)
+      {
+        positions.push_back(surface.reference_position(l));
+        positions.back()[0] += 0.01 * (l % 5); // a moved surface
+      }
+    const unsigned int n_last = surface.n_segments(m - 1);
+    double             error = 0., size = 0.;
+    for (unsigned int s = 0; s < surface.n_segments(0) * n_last; ++s)
+      {
+        std::array<unsigned int, m> segment;
+        segment[0]     = s / n_last;
+        segment[m - 1] = s % n_last;
+        if (m == 1 && s / n_last != s % n_last)
+          continue;
+        std::array<double, m> u;
+        for (unsigned int a = 0; a < m; ++a)
+          {
+            const auto &breaks = surface.segment_breaks(a);
+            u[a] =
+              breaks[segment[a]] +
+              (0.2 + 0.5 * a) * (breaks[segment[a] + 1] - breaks[segment[a]]);
+          }
+        SurfaceShape<m> shape;
+        surface.evaluate(u, 2, shape, &segment);
+        const auto jet     = surface.jet(u, positions, segment);
+        const auto compare = [&](const std::vector<double> &functions,
+                                 const Tensor<1, dim>      &found) {
+          Tensor<1, dim> sum;
+          for (unsigned int l = 0; l < shape.lattice.size(); ++l)
+            sum += functions[l] * positions[shape.lattice[l]];
+          error = std::max(error, (found - sum).norm());
+          size  = std::max(size, sum.norm());
+        };
+        compare(shape.value, jet.x);
+        for (unsigned int k = 0; k < shape.first.size(); ++k)
+          compare(shape.first[k], jet.first[k]);
+        for (unsigned int k = 0; k < shape.second.size(); ++k)
+          compare(shape.second[k], jet.second[k]);
+      }
+    CAPTURE(size);
+    CHECK(size > 0.);
+    CHECK(error < 1e-13 * size);
+  }
+} // namespace
+
+
+
+TEST_CASE(
+  "A point of a surface and its derivatives are sums over the functions",
+  "[iga]")
+{
+  for (const Basis basis : all_bases)
+    for (const bool rational : {true, false})
+      {
+        INFO(name(basis) << ", rational " << rational);
+        const IGASpace<2> plane({general_patch<2>(rational)}, {}, basis);
+        check_jet<1>(IGASurface<2>(plane, 0, 1, 0));
+        const IGASpace<3> body({general_patch<3>(rational)}, {}, basis);
+        for (const unsigned int side : {0, 1})
+          {
+            check_jet<2>(IGASurface<3>(body, 0, 2, side));
+            check_jet<2>(IGASurface<3>(body, 0, 1, side, 0.2));
+            check_jet<2>(IGASurface<3>(body, 0, 2, side, 0., 0.1));
+          }
+      }
+}
+
+
+
 TEST_CASE("Surface derivatives up to the third are those of the functions",
           "[iga]")
 {

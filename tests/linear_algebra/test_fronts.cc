@@ -28,6 +28,70 @@ namespace
   }
 } // namespace
 
+namespace
+{
+  // Rows of equal columns are in one block, and blocks with a common entry are
+  // neighbors.
+  void
+  check_blocks(const CSRMatrix &A, const BlockPattern &blocks)
+  {
+    std::vector<int> block_of(A.n(), -1);
+    for (int b = 0; b < blocks.n(); ++b)
+      for (int k = blocks.first[b]; k < blocks.first[b + 1]; ++k)
+        {
+          CHECK(block_of[blocks.unknowns[k]] == -1);
+          block_of[blocks.unknowns[k]] = b;
+        }
+    const auto columns_of = [&](const unsigned int i) {
+      return std::vector<int>(A.columns.begin() + A.row_start[i],
+                              A.columns.begin() + A.row_start[i + 1]);
+    };
+    const auto are_neighbors = [&](const int a, const int b) {
+      return std::binary_search(blocks.neighbors.begin() + blocks.row_start[a],
+                                blocks.neighbors.begin() +
+                                  blocks.row_start[a + 1],
+                                b);
+    };
+    std::vector<std::vector<bool>> is_needed(blocks.n(),
+                                             std::vector<bool>(blocks.n(),
+                                                               false));
+    for (unsigned int i = 0; i < A.n(); ++i)
+      {
+        REQUIRE(block_of[i] >= 0);
+        CHECK(columns_of(i) ==
+              columns_of(blocks.unknowns[blocks.first[block_of[i]]]));
+        for (const int j : columns_of(i))
+          is_needed[block_of[i]][block_of[j]] =
+            is_needed[block_of[j]][block_of[i]] = true;
+      }
+    bool agree = true;
+    for (int a = 0; a < blocks.n(); ++a)
+      for (int b = 0; b < blocks.n(); ++b)
+        agree = agree && are_neighbors(a, b) == (a != b && is_needed[a][b]);
+    CHECK(agree);
+  }
+} // namespace
+
+TEST_CASE("Blocks hold the unknowns with equal rows, and know all neighbors",
+          "[fronts]")
+{
+  // Of an elastic body: the components of a control point.
+  const CSRMatrix    A      = make_elastic_block({{6, 5, 4}}, 2, 1.).matrix;
+  const BlockPattern blocks = make_block_pattern(A, Ranks());
+  CHECK(3 * blocks.n() == static_cast<int>(A.n()));
+  check_blocks(A, blocks);
+
+  // Not symmetric, and with unknowns that nothing couples: each is its own.
+  CSRMatrix                     B;
+  std::vector<std::vector<int>> rows = {
+    {0, 1, 4}, {0, 1, 4}, {2}, {3}, {2, 4}, {0, 1, 4}};
+  B.set_pattern(rows);
+  const BlockPattern of_b = make_block_pattern(B, Ranks());
+  check_blocks(B, of_b);
+  CHECK(of_b.unknowns == std::vector<int>({0, 1, 5, 2, 3, 4}));
+  CHECK(of_b.first == std::vector<int>({0, 3, 4, 5, 6}));
+}
+
 TEST_CASE("Every unknown is the pivot of one front, and its parent holds all "
           "that the front changes",
           "[fronts]")
