@@ -336,6 +336,19 @@ namespace NPT
 
 
 
+    void
+    set_multiple(const double      factor,
+                 const double     *from,
+                 const std::size_t n,
+                 double           *to)
+    {
+      DEAL_II_OPENMP_SIMD_PRAGMA
+      for (std::size_t i = 0; i < n; ++i)
+        to[i] = factor * from[i];
+    }
+
+
+
     // to[j][i] = from[i][j], block by block, so that neither is read or written
     // far apart.
     void
@@ -362,15 +375,25 @@ namespace NPT
                               const std::size_t    length,
                               std::vector<double> &sums) const
   {
-    sums.assign(group.columns.size() * length, 0.);
+    const std::size_t n_m = group.columns.size();
+    sums.resize(n_m * length);
+    std::vector<bool> has_sum(n_m, false);
     for (std::size_t k = 0; k < group.local.size(); ++k)
       {
-        if (free_only_ && prescribed_[group.columns[group.local[k]]])
+        const int m = group.local[k];
+        if (free_only_ && prescribed_[group.columns[m]])
           continue;
-        double       *target = &sums[group.local[k] * length];
+        double       *target = &sums[m * length];
         const double *row    = rows + group.unknown[k] * length;
-        add_multiple(group.coefficient[k], row, length, target);
+        if (has_sum[m])
+          add_multiple(group.coefficient[k], row, length, target);
+        else
+          set_multiple(group.coefficient[k], row, length, target);
+        has_sum[m] = true;
       }
+    for (std::size_t m = 0; m < n_m; ++m)
+      if (!has_sum[m])
+        std::fill_n(&sums[m * length], length, 0.);
   }
 
 
@@ -382,9 +405,6 @@ namespace NPT
   {
     const std::size_t n = group.n_unknowns, n_m = group.columns.size();
     AssertDimension(K.size(), n * n);
-    const double *values      = K.data();
-    const int    *source      = group.unknown.data();
-    const double *coefficient = group.coefficient.data();
     if (!group.is_permutation)
       {
         // C^T K C in two sweeps over rows, the first over those of K^T.
@@ -393,29 +413,32 @@ namespace NPT
         sum_rows(group, transposed_.data(), n, rows_condensed_);
         transpose(rows_condensed_.data(), n_m, n, transposed_.data());
         sum_rows(group, transposed_.data(), n_m, condensed_);
-        for (std::size_t m = order_.size(); m < n_m; ++m)
-          {
-            order_.push_back(m);
-            ones_.push_back(1.);
-          }
-        values      = condensed_.data();
-        source      = order_.data();
-        coefficient = ones_.data();
       }
 
-    const std::size_t n_runs = group.run_start.size() - 1;
+    const int    *source      = group.unknown.data();
+    const double *coefficient = group.coefficient.data();
     for (std::size_t m = 0; m < n_m; ++m)
       {
         double *target =
           matrix_.values.data() + matrix_.row_start[group.columns[m]];
-        const int    *offsets = &group.offsets[group.list[m] * n_runs];
-        const double *row     = values + source[m] * n_m;
-        const double  c       = factor * coefficient[m];
+        const std::size_t n_runs  = group.run_start.size() - 1;
+        const int        *offsets = &group.offsets[group.list[m] * n_runs];
         for (std::size_t run = 0; run < n_runs; ++run)
           {
             const int begin = group.run_start[run];
-            double   *first = target + (offsets[run] - begin);
-            for (int b = begin; b < group.run_start[run + 1]; ++b)
+            const int end   = group.run_start[run + 1];
+            if (!group.is_permutation)
+              {
+                add_multiple(factor,
+                             &condensed_[m * n_m + begin],
+                             end - begin,
+                             target + offsets[run]);
+                continue;
+              }
+            double       *first = target + (offsets[run] - begin);
+            const double *row   = K.data() + source[m] * n;
+            const double  c     = factor * coefficient[m];
+            for (int b = begin; b < end; ++b)
               first[b] += c * coefficient[b] * row[source[b]];
           }
       }

@@ -226,8 +226,6 @@ namespace NPT
     Group                               group_; // of add() without registration
     mutable std::vector<int>            place_; // per independent unknown
     std::vector<double> transposed_, rows_condensed_, condensed_;
-    std::vector<int>    order_; // identity, where C is applied
-    std::vector<double> ones_;
 
     std::vector<bool> prescribed_;
     bool free_only_ = false; // columns of prescribed unknowns are left out
