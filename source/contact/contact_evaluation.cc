@@ -18,6 +18,10 @@ namespace NPT
 
   namespace
   {
+    // Of the thickness. Surfaces that just touch, as many do where weaving
+    // begins, are closed in all units and on all machines.
+    constexpr double round_off_of_gap = 1e-14;
+
     // Numbers from 1; assertions compare them, results never depend on them.
     unsigned long
     new_serial()
@@ -439,8 +443,13 @@ namespace NPT
                      view.evaluation.closest[entry.point].gap;
     if (!step.gap_shift.empty())
       state.gap += step.gap_shift[I];
-    const auto normal =
+    auto normal =
       (*normal_law_)(state.gap, step.multiplier[I], step.penalty_scale);
+    if (!normal.active)
+      normal =
+        (*normal_law_)(state.gap - round_off_of_gap * geometry_.thickness,
+                       step.multiplier[I],
+                       step.penalty_scale);
     state.active   = normal.active;
     state.pressure = normal.pressure;
     state.slope    = normal.slope;
