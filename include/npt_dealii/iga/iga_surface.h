@@ -193,7 +193,7 @@ namespace NPT
 
     /**
      * A point with its derivatives up to second order: what evaluate() and a
-     * sum over the functions give, at a fifth of the cost.
+     * sum over the functions give, without storing the functions.
      *
      * @param positions Of the control points, in the order of the lattice.
      * @param segment Use the polynomials of this segment.
