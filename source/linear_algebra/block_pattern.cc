@@ -33,17 +33,22 @@ namespace NPT
     signatures(const CSRMatrix &A, const Ranks &ranks)
     {
       std::vector<std::uint64_t> result(A.n(), 0);
-      for (unsigned int i = 0; i < A.n(); ++i)
+      for (std::size_t g = 0; g + 1 < A.row_groups.size(); ++g)
         {
-          const auto [begin, end] = columns_of(A, i);
+          const int     first     = A.row_groups[g];
+          std::uint64_t signature = 0;
+          const auto [begin, end] = columns_of(A, first);
           for (const int *column = begin; column != end; ++column)
             {
               // A step of the generator splitmix64 (Steele, Lea, Flood 2014).
               std::uint64_t x = *column + 0x9e3779b97f4a7c15u;
               x               = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
               x               = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-              result[i] += x ^ (x >> 31);
+              signature += x ^ (x >> 31);
             }
+          std::fill(result.begin() + first,
+                    result.begin() + A.row_groups[g + 1],
+                    signature);
         }
       if (!ranks.is_alone())
         MPI_Allreduce(MPI_IN_PLACE,
@@ -75,6 +80,7 @@ namespace NPT
                          (signature[i] == signature[j] && i < j);
                 });
       // Everyone compares what it has; one difference is enough.
+      const std::vector<int>     group_of = A.group_of_rows();
       std::vector<unsigned char> differs(n, 0);
       for (int k = 1; k < n; ++k)
         {
@@ -82,7 +88,8 @@ namespace NPT
           const auto [begin_i, end_i] = columns_of(A, i);
           const auto [begin_j, end_j] = columns_of(A, j);
           differs[k] = signature[i] != signature[j] || signature[i] == 0 ||
-                       !std::equal(begin_i, end_i, begin_j, end_j);
+                       (group_of[i] != group_of[j] &&
+                        !std::equal(begin_i, end_i, begin_j, end_j));
         }
       if (!ranks.is_alone())
         MPI_Allreduce(MPI_IN_PLACE,

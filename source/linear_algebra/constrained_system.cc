@@ -231,7 +231,8 @@ namespace NPT
     for (int a = 0; a < n_columns; ++a)
       {
         const int row = group.columns[a];
-        if (a > 0 && group.columns[a - 1] == row - 1 && same_as_previous_[row])
+        if (a > 0 && group.columns[a - 1] == row - 1 &&
+            row_group_[row] == row_group_[row - 1])
           {
             group.list[a] = n_lists - 1;
             continue;
@@ -303,13 +304,7 @@ namespace NPT
               }
       }
     matrix_.set_pattern(rows);
-    same_as_previous_.assign(matrix_.n(), false);
-    for (std::size_t a = 1; a < matrix_.n(); ++a)
-      same_as_previous_[a] =
-        std::equal(matrix_.columns.begin() + matrix_.row_start[a - 1],
-                   matrix_.columns.begin() + matrix_.row_start[a],
-                   matrix_.columns.begin() + matrix_.row_start[a],
-                   matrix_.columns.begin() + matrix_.row_start[a + 1]);
+    row_group_ = matrix_.group_of_rows();
     for (Group &group : groups_)
       {
         const bool found = find_positions(group);
@@ -509,18 +504,30 @@ namespace NPT
   {
     if (free_pattern_of_ != matrix_.pattern_id())
       {
-        free_number_.assign(independent_.size(), -1);
+        std::vector<int> free_number(independent_.size(), -1);
         for (unsigned int k = 0; k < free_.size(); ++k)
-          free_number_[free_[k]] = k;
+          free_number[free_[k]] = k;
         std::vector<std::vector<int>> rows(free_.size());
-        for (unsigned int k = 0; k < free_.size(); ++k)
+        free_runs_.clear();
+        for (std::size_t g = 0; g + 1 < matrix_.row_groups.size(); ++g)
           {
-            const int begin = matrix_.row_start[free_[k]],
-                      end   = matrix_.row_start[free_[k] + 1];
-            rows[k].reserve(end - begin);
+            const int        first = matrix_.row_groups[g];
+            const int        begin = matrix_.row_start[first];
+            const int        end   = matrix_.row_start[first + 1];
+            std::vector<int> columns;
+            std::vector<Run> runs;
             for (int at = begin; at < end; ++at)
-              if (free_number_[matrix_.columns[at]] >= 0)
-                rows[k].push_back(free_number_[matrix_.columns[at]]);
+              if (const int k = free_number[matrix_.columns[at]]; k >= 0)
+                {
+                  columns.push_back(k);
+                  if (runs.empty() || runs.back().end != at - begin)
+                    runs.push_back({at - begin, at - begin});
+                  ++runs.back().end;
+                }
+            for (int i = first; i < matrix_.row_groups[g + 1]; ++i)
+              if (free_number[i] >= 0)
+                rows[free_number[i]] = columns;
+            free_runs_.push_back(std::move(runs));
           }
         free_matrix_.set_pattern(rows);
         free_pattern_of_ = matrix_.pattern_id();
@@ -528,9 +535,11 @@ namespace NPT
     // Both in the order of rows and columns.
     double *value = free_matrix_.values.data();
     for (const unsigned int i : free_)
-      for (int at = matrix_.row_start[i]; at < matrix_.row_start[i + 1]; ++at)
-        if (free_number_[matrix_.columns[at]] >= 0)
-          *value++ = matrix_.values[at];
+      {
+        const double *const row = matrix_.values.data() + matrix_.row_start[i];
+        for (const Run &run : free_runs_[row_group_[i]])
+          value = std::copy(row + run.begin, row + run.end, value);
+      }
     return free_matrix_;
   }
 } // namespace NPT

@@ -32,55 +32,86 @@ namespace NPT
   {
     ranks         = ranks_of_run;
     block_columns = {static_cast<int>(ranks.n())};
-    std::vector<Place> places;
-    places.reserve(A.n_nonzeros());
+    std::vector<Entry> own, of_others;
+    own.reserve(A.n_nonzeros());
     for (unsigned int i = 0; i < A.n(); ++i)
       for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-        places.push_back({tree.position[i], tree.position[A.columns[k]]});
+        own.push_back({tree.position[i], tree.position[A.columns[k]], k});
     if (!ranks.is_alone())
-      places = send_places(places, tree);
-    sort(places, tree);
+      of_others = send_places(own, tree);
+    sort(own, of_others, tree);
   }
 
 
 
-  std::vector<FrontEntries::Place>
-  FrontEntries::send_places(const std::vector<Place> &places,
-                            const FrontTree          &tree)
+  // Keep own entries, and tell the others where those go that they will get.
+  std::vector<FrontEntries::Entry>
+  FrontEntries::send_places(std::vector<Entry> &entries, const FrontTree &tree)
   {
+    const int              me       = ranks.rank();
     const std::vector<int> front_of = tree.front_of_place();
-    const auto             owner    = [&](const Place &place) {
+    const auto             owner    = [&](const Entry &entry) {
       const Front &front =
-        tree.fronts[front_of[std::min(place.row, place.column)]];
-      return front.is_shared ? block_columns.owner(front.local(place.column)) :
+        tree.fronts[front_of[std::min(entry.row, entry.column)]];
+      return front.is_shared ? block_columns.owner(front.local(entry.column)) :
                                               static_cast<int>(front.owner);
     };
+    const auto all_to_all = [&](const std::vector<int> &given) {
+      std::vector<int> taken(ranks.n());
+      MPI_Alltoall(given.data(),
+                   1,
+                   MPI_INT,
+                   taken.data(),
+                   1,
+                   MPI_INT,
+                   ranks.communicator());
+      return taken;
+    };
+
+    std::vector<int> owners(entries.size());
     n_sent.assign(ranks.n(), 0);
-    for (const Place &place : places)
-      ++n_sent[owner(place)];
-    n_received.resize(ranks.n());
-    MPI_Alltoall(n_sent.data(),
-                 1,
-                 MPI_INT,
-                 n_received.data(),
-                 1,
-                 MPI_INT,
-                 ranks.communicator());
+    n_sent_lower.assign(ranks.n(), 0);
+    for (std::size_t e = 0; e < entries.size(); ++e)
+      {
+        owners[e] = owner(entries[e]);
+        if (owners[e] == me)
+          continue;
+        ++n_sent[owners[e]];
+        if (entries[e].row >= entries[e].column)
+          ++n_sent_lower[owners[e]];
+      }
+    n_received       = all_to_all(n_sent);
+    n_received_lower = all_to_all(n_sent_lower);
 
     const std::vector<int> to = offsets(n_sent), from = offsets(n_received);
-    std::vector<int>       next = to;
-    std::vector<Place>     sent_places(places.size());
-    sent_positions.resize(places.size());
-    for (unsigned int k = 0; k < places.size(); ++k)
+    std::vector<int>       next_lower = to, next_upper = to;
+    for (unsigned int p = 0; p < ranks.n(); ++p)
+      next_upper[p] += n_sent_lower[p];
+    struct Place
+    {
+      int row, column;
+    };
+    std::vector<Place> sent_places(to.back()), received_places(from.back());
+    sent_positions.resize(to.back());
+    std::size_t n_own = 0;
+    for (std::size_t e = 0; e < entries.size(); ++e)
       {
-        const int at       = next[owner(places[k])]++;
-        sent_places[at]    = places[k];
-        sent_positions[at] = k;
+        const Entry entry = entries[e];
+        const int   p     = owners[e];
+        if (p == me)
+          {
+            entries[n_own++] = entry;
+            continue;
+          }
+        const int at =
+          entry.row >= entry.column ? next_lower[p]++ : next_upper[p]++;
+        sent_places[at]    = {entry.row, entry.column};
+        sent_positions[at] = entry.source;
       }
+    entries.resize(n_own);
     sent.resize(to.back());
     received.resize(from.back());
 
-    std::vector<Place> received_places(from.back());
     MPI_Alltoallv(sent_places.data(),
                   n_sent.data(),
                   to.data(),
@@ -90,34 +121,45 @@ namespace NPT
                   from.data(),
                   MPI_2INT,
                   ranks.communicator());
-    return received_places;
+    std::vector<Entry> of_others;
+    of_others.reserve(received_places.size());
+    for (const Place &place : received_places)
+      of_others.push_back(
+        {place.row, place.column, static_cast<int>(of_others.size())});
+    return of_others;
   }
 
 
 
   void
-  FrontEntries::sort(const std::vector<Place> &places, const FrontTree &tree)
+  FrontEntries::sort(const std::vector<Entry> &own,
+                     const std::vector<Entry> &of_others,
+                     const FrontTree          &tree)
   {
     const std::vector<int> front_of = tree.front_of_place();
-    const std::size_t      n_fronts = tree.fronts.size();
-    // By counting: lower and upper entries of each front.
-    const auto group_of = [&](const Place &place) {
-      return 2 * front_of[std::min(place.row, place.column)] +
-             (place.row < place.column ? 1 : 0);
+    const unsigned int     n_fronts = tree.fronts.size();
+    // By counting.
+    const auto for_each_entry = [&](const auto &visit) {
+      for (const auto *entries : {&own, &of_others})
+        for (const Entry &entry : *entries)
+          {
+            const bool is_lower = entry.row >= entry.column;
+            visit(n_kinds * front_of[is_lower ? entry.column : entry.row] +
+                    (is_lower ? 0 : 2) + (entries == &own ? 0 : 1),
+                  entry);
+          }
     };
-    std::vector<int> next(2 * n_fronts + 1, 0);
-    for (const Place &place : places)
-      ++next[group_of(place) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    ranges.resize(n_fronts);
-    for (unsigned int f = 0; f < n_fronts; ++f)
-      ranges[f] = {next[2 * f], next[2 * f + 1], next[2 * f + 2]};
+    start.assign(n_kinds * n_fronts + 1, 0);
+    for_each_entry([&](const int kind, const Entry &) { ++start[kind + 1]; });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<Entry> sorted(start.back());
+    std::vector<int>   next = start;
+    for_each_entry([&](const int kind, const Entry &entry) {
+      sorted[next[kind]++] = entry;
+    });
 
-    source.resize(places.size());
-    for (unsigned int k = 0; k < places.size(); ++k)
-      source[next[group_of(places[k])]++] = k;
-
-    target.resize(places.size());
+    source.resize(sorted.size());
+    target.resize(sorted.size());
     std::vector<int> row_of_changed(front_of.size());
     for (unsigned int f = 0; f < n_fronts; ++f)
       {
@@ -128,10 +170,11 @@ namespace NPT
           return place < front.first + front.n ? place - front.first :
                                                  row_of_changed[place];
         };
-        for (int e = ranges[f].begin; e < ranges[f].end; ++e)
+        for (int e = start[n_kinds * f]; e < start[n_kinds * (f + 1)]; ++e)
           {
-            const int row    = local(places[source[e]].row),
-                      column = local(places[source[e]].column);
+            const int row    = local(sorted[e].row),
+                      column = local(sorted[e].column);
+            source[e]        = sorted[e].source;
             if (front.is_shared)
               target[e] = block_columns.local(column) * front.m + row;
             else if (column < front.n)
@@ -145,22 +188,52 @@ namespace NPT
 
 
 
-  const std::vector<double> &
-  FrontEntries::collect(const std::vector<double> &values)
+  void
+  FrontEntries::collect(const std::vector<double> &values,
+                        const bool                 lower_only)
   {
+    own_values       = &values;
+    takes_lower_only = lower_only;
     if (ranks.is_alone())
-      return values;
-    for (std::size_t k = 0; k < sent.size(); ++k)
-      sent[k] = values[sent_positions[k]];
+      return;
+    const std::vector<int> &n_given = lower_only ? n_sent_lower : n_sent;
+    const std::vector<int> &n_taken =
+      lower_only ? n_received_lower : n_received;
+    const std::vector<int> to = offsets(n_sent), from = offsets(n_received);
+    for (unsigned int p = 0; p < ranks.n(); ++p)
+      for (int k = to[p]; k < to[p] + n_given[p]; ++k)
+        sent[k] = values[sent_positions[k]];
     MPI_Alltoallv(sent.data(),
-                  n_sent.data(),
-                  offsets(n_sent).data(),
+                  n_given.data(),
+                  to.data(),
                   MPI_DOUBLE,
                   received.data(),
-                  n_received.data(),
-                  offsets(n_received).data(),
+                  n_taken.data(),
+                  from.data(),
                   MPI_DOUBLE,
                   ranks.communicator());
-    return received;
   }
+
+
+
+  template <typename Number>
+  void
+  FrontEntries::add(const unsigned int f, Number *front) const
+  {
+    const int *const begin = &start[n_kinds * f];
+    for (unsigned int kind = 0; kind < (takes_lower_only ? 2 : n_kinds); ++kind)
+      {
+        const double *const values =
+          kind % 2 == 0 ? own_values->data() : received.data();
+        for (int e = begin[kind]; e < begin[kind + 1]; ++e)
+          front[target[e]] += values[source[e]];
+      }
+  }
+
+
+
+  template void
+  FrontEntries::add(const unsigned int, double *) const;
+  template void
+  FrontEntries::add(const unsigned int, float *) const;
 } // namespace NPT

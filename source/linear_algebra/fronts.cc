@@ -183,10 +183,7 @@ namespace NPT
     std::fill_n(columns,
                 std::size_t(n) * (is_symmetric ? m : m + n_changed),
                 Number(0));
-    const FrontEntries::Range range = entries.ranges[f];
-    const int end = is_symmetric ? range.end_of_lower : range.end;
-    for (int e = range.begin; e < end; ++e)
-      columns[entries.target[e]] += (*values)[entries.source[e]];
+    entries.add(f, columns);
 
     // Children lie on their stack one behind the other.
     const Stack  &stack = stacks[(front.level + 1) % 2];
@@ -421,10 +418,7 @@ namespace NPT
         {
           std::vector<Number> &entries_here = shared[f]->values;
           std::fill(entries_here.begin(), entries_here.end(), Number(0));
-          const FrontEntries::Range range = entries.ranges[f];
-          const int end = is_symmetric ? range.end_of_lower : range.end;
-          for (int e = range.begin; e < end; ++e)
-            entries_here[entries.target[e]] += (*values)[entries.source[e]];
+          entries.add(f, entries_here.data());
           exchange_contributions(f);
           if (!ranks.all(eliminate(*shared[f])))
             return false;
@@ -436,11 +430,11 @@ namespace NPT
 
   template <typename Number>
   bool
-  Fronts<Number>::factorize_general(const std::vector<double> &given)
+  Fronts<Number>::factorize_general(const std::vector<double> &values)
   {
-    using B              = Blas<Number>;
-    is_symmetric         = false;
-    values               = &entries.collect(given);
+    using B      = Blas<Number>;
+    is_symmetric = false;
+    entries.collect(values, is_symmetric);
     const bool succeeded = eliminate_own(
       [this](const Front &front, Number *columns, Number *contribution) {
         const int  n = front.n, m = front.m, n_changed = m - n;
@@ -485,11 +479,11 @@ namespace NPT
 
   template <typename Number>
   bool
-  Fronts<Number>::factorize_positive_definite(const std::vector<double> &given)
+  Fronts<Number>::factorize_positive_definite(const std::vector<double> &values)
   {
-    using B              = Blas<Number>;
-    is_symmetric         = true;
-    values               = &entries.collect(given);
+    using B      = Blas<Number>;
+    is_symmetric = true;
+    entries.collect(values, is_symmetric);
     const bool succeeded = eliminate_own(
       [](const Front &front, Number *columns, Number *contribution) {
         const int n = front.n, m = front.m, n_changed = m - n;

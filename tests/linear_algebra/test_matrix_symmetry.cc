@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -69,4 +70,47 @@ TEST_CASE(
       changed.values[k] = A.values[k] * (1. + 1e-15);
       CHECK(has_symmetric_values(changed));
     }
+}
+
+
+
+TEST_CASE("Rows with equal columns, whatever their number, hide no difference",
+          "[linear_algebra]")
+{
+  // Groups of one to five unknowns, each coupled with all of some others.
+  const std::vector<int> first            = {0, 3, 4, 6, 9, 14};
+  const bool             is_coupled[5][5] = {{true, true, false, true, false},
+                                             {true, true, false, false, true},
+                                             {false, false, true, true, true},
+                                             {true, false, true, false, true},
+                                             {false, true, true, true, true}};
+  std::vector<std::vector<int>> columns(first.back());
+  for (int g = 0; g < 5; ++g)
+    for (int h = 0; h < 5; ++h)
+      for (int i = first[g]; is_coupled[g][h] && i < first[g + 1]; ++i)
+        for (int j = first[h]; j < first[h + 1]; ++j)
+          columns[i].push_back(j);
+  const CSRMatrix A = symmetric_matrix(columns);
+  CHECK(A.row_groups == first);
+  CHECK(has_symmetric_values(A));
+  for (int i = 0; i < static_cast<int>(A.n()); ++i)
+    for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+      {
+        INFO("row " << i << ", column " << A.columns[k]);
+        CSRMatrix changed = A;
+        changed.values[k] *= 1. + 1e-11;
+        CHECK(has_symmetric_values(changed) == (A.columns[k] == i));
+        if (A.columns[k] == i)
+          continue;
+        // One entry less.
+        auto fewer = columns;
+        fewer[i].erase(
+          std::find(fewer[i].begin(), fewer[i].end(), A.columns[k]));
+        CHECK_FALSE(has_symmetric_pattern(symmetric_matrix(fewer)));
+      }
+  // Infinite values around a circle of rows leave no finite scale.
+  CSRMatrix circle = A;
+  for (const int at : {A.position(0, 3), A.position(3, 1), A.position(1, 0)})
+    circle.values.at(at) = std::numeric_limits<double>::infinity();
+  CHECK_FALSE(has_symmetric_values(circle));
 }

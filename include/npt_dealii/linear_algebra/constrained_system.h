@@ -222,7 +222,7 @@ namespace NPT
     std::set<std::vector<unsigned int>> couplings_;
     CSRMatrix                           matrix_;
     bool                                has_pattern_ = false;
-    std::vector<bool>                   same_as_previous_; // columns, per row
+    std::vector<int>                    row_group_; // of equal columns
     Group                               group_; // of add() without registration
     mutable std::vector<int>            place_; // per independent unknown
     std::vector<double> transposed_, rows_condensed_, condensed_;
@@ -231,8 +231,12 @@ namespace NPT
     bool free_only_ = false; // columns of prescribed unknowns are left out
     std::vector<unsigned int> free_;
     CSRMatrix                 free_matrix_;
-    std::vector<int>          free_number_; // of an independent one, or -1
-    std::size_t               free_pattern_of_ = 0;
+    struct Run
+    {
+      int begin, end; // in a row of the matrix
+    };
+    std::vector<std::vector<Run>> free_runs_; // of columns, by group of rows
+    std::size_t                   free_pattern_of_ = 0;
   };
 } // namespace NPT
 

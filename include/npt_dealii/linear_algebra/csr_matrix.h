@@ -5,11 +5,9 @@
 #ifndef npt_dealii_linear_algebra_csr_matrix_h
 #define npt_dealii_linear_algebra_csr_matrix_h
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace NPT
@@ -28,6 +26,9 @@ namespace NPT
     std::vector<int>    row_start; ///< size n+1
     std::vector<int>    columns;   ///< sorted within a row
     std::vector<double> values;
+    /// First rows of groups of neighboring rows with the same columns, such as
+    /// those of the components of a control point; then n().
+    std::vector<int> row_groups;
 
     unsigned int
     n() const
@@ -55,35 +56,17 @@ namespace NPT
      *   empty afterwards.
      */
     void
-    set_pattern(std::vector<std::vector<int>> &row_columns)
-    {
-      row_start.assign(1, 0);
-      row_start.reserve(row_columns.size() + 1);
-      for (auto &row : row_columns)
-        {
-          std::sort(row.begin(), row.end());
-          row.erase(std::unique(row.begin(), row.end()), row.end());
-          row_start.push_back(row_start.back() + row.size());
-        }
-      // Not a byte more than they need, and the old ones are gone.
-      columns = std::vector<int>();
-      values  = std::vector<double>();
-      columns.reserve(row_start.back());
-      for (auto &row : row_columns)
-        {
-          columns.insert(columns.end(), row.begin(), row.end());
-          row = std::vector<int>();
-        }
-      values.assign(columns.size(), 0.);
-      static std::size_t counter = 0;
-      pattern_id_                = ++counter;
-    }
+    set_pattern(std::vector<std::vector<int>> &row_columns);
 
     void
     set_zero()
     {
       std::fill(values.begin(), values.end(), 0.);
     }
+
+    /// The group of each row, as `row_groups` counts them.
+    std::vector<int>
+    group_of_rows() const;
 
     /// Position of an entry in `values`, or -1 if it is not in the pattern.
     int
@@ -97,34 +80,12 @@ namespace NPT
 
     /// y = A x.
     void
-    vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const
-    {
-      AssertDimension(x.size(), n());
-      y.reinit(n());
-      for (unsigned int i = 0; i < n(); ++i)
-        {
-          double sum = 0;
-          for (int k = row_start[i]; k < row_start[i + 1]; ++k)
-            sum += values[k] * x[columns[k]];
-          y[i] = sum;
-        }
-    }
+    vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const;
 
     /// y = |A| |x|, absolute values of all entries.
     void
     vmult_absolute(dealii::Vector<double>       &y,
-                   const dealii::Vector<double> &x) const
-    {
-      AssertDimension(x.size(), n());
-      y.reinit(n());
-      for (unsigned int i = 0; i < n(); ++i)
-        {
-          double sum = 0;
-          for (int k = row_start[i]; k < row_start[i + 1]; ++k)
-            sum += std::abs(values[k] * x[columns[k]]);
-          y[i] = sum;
-        }
-    }
+                   const dealii::Vector<double> &x) const;
 
   private:
     std::size_t pattern_id_ = 0;

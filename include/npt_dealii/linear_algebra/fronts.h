@@ -116,7 +116,6 @@ namespace NPT
     const Ranks                            ranks;
     const std::shared_ptr<const FrontTree> tree;
     FrontEntries                           entries;
-    const std::vector<double>             *values = nullptr; // as collected
     std::vector<std::size_t>               begin; // of fronts in the factors
     std::vector<Number>                    factors;
     std::vector<int>                       exchanges; // of rows, one per pivot
