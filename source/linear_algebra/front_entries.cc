@@ -21,6 +21,45 @@ namespace NPT
         offsets.push_back(offsets.back() + size);
       return offsets;
     }
+
+
+
+    /// Give numbers to each process, and get those of each, one after the
+    /// other.
+    std::vector<std::vector<int>>
+    all_to_all(const std::vector<std::vector<int>> &given, const Ranks &ranks)
+    {
+      std::vector<int> sizes, all_given;
+      for (const std::vector<int> &numbers : given)
+        {
+          sizes.push_back(numbers.size());
+          all_given.insert(all_given.end(), numbers.begin(), numbers.end());
+        }
+      std::vector<int> sizes_taken(ranks.n());
+      MPI_Alltoall(sizes.data(),
+                   1,
+                   MPI_INT,
+                   sizes_taken.data(),
+                   1,
+                   MPI_INT,
+                   ranks.communicator());
+      const std::vector<int> from = offsets(sizes_taken);
+      std::vector<int>       all_taken(from.back());
+      MPI_Alltoallv(all_given.data(),
+                    sizes.data(),
+                    offsets(sizes).data(),
+                    MPI_INT,
+                    all_taken.data(),
+                    sizes_taken.data(),
+                    from.data(),
+                    MPI_INT,
+                    ranks.communicator());
+      std::vector<std::vector<int>> taken;
+      for (unsigned int p = 0; p < ranks.n(); ++p)
+        taken.emplace_back(all_taken.begin() + from[p],
+                           all_taken.begin() + from[p + 1]);
+      return taken;
+    }
   } // namespace
 
 
@@ -30,159 +69,197 @@ namespace NPT
                        const FrontTree &tree,
                        const Ranks     &ranks_of_run)
   {
-    ranks         = ranks_of_run;
-    block_columns = {static_cast<int>(ranks.n())};
-    std::vector<Entry> own, of_others;
-    own.reserve(A.n_nonzeros());
-    for (unsigned int i = 0; i < A.n(); ++i)
-      for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-        own.push_back({tree.position[i], tree.position[A.columns[k]], k});
+    ranks                  = ranks_of_run;
+    block_columns          = {static_cast<int>(ranks.n())};
+    std::vector<Block> own = make_blocks(A, tree), of_others;
     if (!ranks.is_alone())
-      of_others = send_places(own, tree);
+      of_others = exchange_blocks(own, tree);
     sort(own, of_others, tree);
   }
 
 
 
-  // Keep own entries, and tell the others where those go that they will get.
-  std::vector<FrontEntries::Entry>
-  FrontEntries::send_places(std::vector<Entry> &entries, const FrontTree &tree)
+  // Blocks on the diagonal count as lower ones: nobody reads what they have
+  // above it.
+  bool
+  FrontEntries::has_lower_entry(const Block &block)
   {
-    const int              me       = ranks.rank();
+    return block.row + block.n_rows > block.column;
+  }
+
+
+
+  std::vector<FrontEntries::Block>
+  FrontEntries::make_blocks(const CSRMatrix &A, const FrontTree &tree) const
+  {
+    const int               n        = A.n();
+    const std::vector<int>  front_of = tree.front_of_place();
+    const std::vector<int>  group_of = A.group_of_rows();
+    const std::vector<int> &place    = tree.position;
+    // Where unknowns end that belong together.
+    std::vector<int> end_of(n);
+    for (int i = n - 1; i >= 0; --i)
+      end_of[i] = i + 1 < n && group_of[i] == group_of[i + 1] &&
+                      place[i] + 1 == place[i + 1] &&
+                      front_of[place[i]] == front_of[place[i + 1]] ?
+                    end_of[i + 1] :
+                    i + 1;
+
+    std::vector<Block> blocks;
+    for (int i = 0; i < n; i = end_of[i])
+      {
+        const int end = A.row_start[i + 1], stride = end - A.row_start[i];
+        for (int k = A.row_start[i]; k < end;)
+          {
+            const int j         = A.columns[k];
+            int       n_columns = 1;
+            while (k + n_columns < end &&
+                   A.columns[k + n_columns] == j + n_columns &&
+                   j + n_columns < end_of[j])
+              ++n_columns;
+            const Front &front =
+              tree.fronts[front_of[std::min(place[i], place[j])]];
+            if (front.is_shared) // its columns are dealt out
+              n_columns = std::min(n_columns,
+                                   BlockColumns::width - front.local(place[j]) %
+                                                           BlockColumns::width);
+            blocks.push_back(
+              {place[i], place[j], end_of[i] - i, n_columns, k, stride, 0, 0});
+            k += n_columns;
+          }
+      }
+    return blocks;
+  }
+
+
+
+  // Keep own blocks, and tell the others which ones they will get.
+  std::vector<FrontEntries::Block>
+  FrontEntries::exchange_blocks(std::vector<Block> &blocks,
+                                const FrontTree    &tree)
+  {
     const std::vector<int> front_of = tree.front_of_place();
-    const auto             owner    = [&](const Entry &entry) {
+    const auto             owner    = [&](const Block &block) {
       const Front &front =
-        tree.fronts[front_of[std::min(entry.row, entry.column)]];
-      return front.is_shared ? block_columns.owner(front.local(entry.column)) :
+        tree.fronts[front_of[std::min(block.row, block.column)]];
+      return front.is_shared ? block_columns.owner(front.local(block.column)) :
                                               static_cast<int>(front.owner);
     };
-    const auto all_to_all = [&](const std::vector<int> &given) {
-      std::vector<int> taken(ranks.n());
-      MPI_Alltoall(given.data(),
-                   1,
-                   MPI_INT,
-                   taken.data(),
-                   1,
-                   MPI_INT,
-                   ranks.communicator());
-      return taken;
-    };
-
-    std::vector<int> owners(entries.size());
-    n_sent.assign(ranks.n(), 0);
-    n_sent_lower.assign(ranks.n(), 0);
-    for (std::size_t e = 0; e < entries.size(); ++e)
-      {
-        owners[e] = owner(entries[e]);
-        if (owners[e] == me)
-          continue;
-        ++n_sent[owners[e]];
-        if (entries[e].row >= entries[e].column)
-          ++n_sent_lower[owners[e]];
-      }
-    n_received       = all_to_all(n_sent);
-    n_received_lower = all_to_all(n_sent_lower);
-
-    const std::vector<int> to = offsets(n_sent), from = offsets(n_received);
-    std::vector<int>       next_lower = to, next_upper = to;
-    for (unsigned int p = 0; p < ranks.n(); ++p)
-      next_upper[p] += n_sent_lower[p];
-    struct Place
-    {
-      int row, column;
-    };
-    std::vector<Place> sent_places(to.back()), received_places(from.back());
-    sent_positions.resize(to.back());
+    sent_blocks.assign(ranks.n(), Message());
     std::size_t n_own = 0;
-    for (std::size_t e = 0; e < entries.size(); ++e)
+    for (const Block &block : blocks)
       {
-        const Entry entry = entries[e];
-        const int   p     = owners[e];
-        if (p == me)
+        const unsigned int to = owner(block);
+        if (to == ranks.rank())
           {
-            entries[n_own++] = entry;
+            blocks[n_own++] = block;
             continue;
           }
-        const int at =
-          entry.row >= entry.column ? next_lower[p]++ : next_upper[p]++;
-        sent_places[at]    = {entry.row, entry.column};
-        sent_positions[at] = entry.source;
+        Message  &message = sent_blocks[to];
+        const int size    = block.n_rows * block.n_columns;
+        message.n += size;
+        if (has_lower_entry(block))
+          {
+            message.lower.push_back(block);
+            message.n_lower += size;
+          }
+        else
+          message.upper.push_back(block);
       }
-    entries.resize(n_own);
-    sent.resize(to.back());
-    received.resize(from.back());
+    blocks.resize(n_own);
 
-    MPI_Alltoallv(sent_places.data(),
-                  n_sent.data(),
-                  to.data(),
-                  MPI_2INT,
-                  received_places.data(),
-                  n_received.data(),
-                  from.data(),
-                  MPI_2INT,
-                  ranks.communicator());
-    std::vector<Entry> of_others;
-    of_others.reserve(received_places.size());
-    for (const Place &place : received_places)
-      of_others.push_back(
-        {place.row, place.column, static_cast<int>(of_others.size())});
+    // How many entries are lower ones; then row, column, and their numbers, of
+    // each block.
+    std::vector<std::vector<int>> given(ranks.n());
+    int                           n_sent = 0;
+    for (unsigned int p = 0; p < ranks.n(); ++p)
+      {
+        const Message &message = sent_blocks[p];
+        n_sent += message.n;
+        given[p].push_back(message.n_lower);
+        for (const auto *list : {&message.lower, &message.upper})
+          for (const Block &block : *list)
+            given[p].insert(
+              given[p].end(),
+              {block.row, block.column, block.n_rows, block.n_columns});
+      }
+    sent.resize(n_sent);
+
+    n_received.clear();
+    n_received_lower.clear();
+    std::vector<Block> of_others;
+    int                source = 0;
+    for (const std::vector<int> &numbers : all_to_all(given, ranks))
+      {
+        const int first = source;
+        for (std::size_t k = 1; k < numbers.size(); k += 4)
+          {
+            of_others.push_back({numbers[k],
+                                 numbers[k + 1],
+                                 numbers[k + 2],
+                                 numbers[k + 3],
+                                 source,
+                                 numbers[k + 3],
+                                 0,
+                                 0});
+            source += numbers[k + 2] * numbers[k + 3];
+          }
+        n_received.push_back(source - first);
+        n_received_lower.push_back(numbers[0]);
+      }
+    received.resize(source);
     return of_others;
   }
 
 
 
   void
-  FrontEntries::sort(const std::vector<Entry> &own,
-                     const std::vector<Entry> &of_others,
+  FrontEntries::sort(const std::vector<Block> &own,
+                     const std::vector<Block> &of_others,
                      const FrontTree          &tree)
   {
     const std::vector<int> front_of = tree.front_of_place();
-    const unsigned int     n_fronts = tree.fronts.size();
     // By counting.
-    const auto for_each_entry = [&](const auto &visit) {
-      for (const auto *entries : {&own, &of_others})
-        for (const Entry &entry : *entries)
+    const auto for_each_block = [&](const auto &visit) {
+      for (const auto *blocks : {&own, &of_others})
+        for (const Block &block : *blocks)
           {
-            const bool is_lower = entry.row >= entry.column;
-            visit(n_kinds * front_of[is_lower ? entry.column : entry.row] +
-                    (is_lower ? 0 : 2) + (entries == &own ? 0 : 1),
-                  entry);
+            const bool is_lower = has_lower_entry(block);
+            visit(n_kinds * front_of[std::min(block.row, block.column)] +
+                    (is_lower ? 0 : 2) + (blocks == &own ? 0 : 1),
+                  block);
           }
     };
-    start.assign(n_kinds * n_fronts + 1, 0);
-    for_each_entry([&](const int kind, const Entry &) { ++start[kind + 1]; });
+    start.assign(n_kinds * tree.fronts.size() + 1, 0);
+    for_each_block([&](const int kind, const Block &) { ++start[kind + 1]; });
     std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<Entry> sorted(start.back());
-    std::vector<int>   next = start;
-    for_each_entry([&](const int kind, const Entry &entry) {
-      sorted[next[kind]++] = entry;
+    sorted_blocks.resize(start.back());
+    std::vector<int> next = start;
+    for_each_block([&](const int kind, const Block &block) {
+      sorted_blocks[next[kind]++] = block;
     });
+    for (unsigned int f = 0; f < tree.fronts.size(); ++f)
+      for (int b = start[n_kinds * f]; b < start[n_kinds * (f + 1)]; ++b)
+        set_target(sorted_blocks[b], tree.fronts[f]);
+  }
 
-    source.resize(sorted.size());
-    target.resize(sorted.size());
-    std::vector<int> row_of_changed(front_of.size());
-    for (unsigned int f = 0; f < n_fronts; ++f)
+
+
+  void
+  FrontEntries::set_target(Block &block, const Front &front) const
+  {
+    const int row = front.local(block.row), column = front.local(block.column);
+    if (front.is_shared || column < front.n)
       {
-        const Front &front = tree.fronts[f];
-        for (unsigned int r = 0; r < front.n_changed(); ++r)
-          row_of_changed[front.changed[r]] = front.n + r;
-        const auto local = [&](const int place) {
-          return place < front.first + front.n ? place - front.first :
-                                                 row_of_changed[place];
-        };
-        for (int e = start[n_kinds * f]; e < start[n_kinds * (f + 1)]; ++e)
-          {
-            const int row    = local(sorted[e].row),
-                      column = local(sorted[e].column);
-            source[e]        = sorted[e].source;
-            if (front.is_shared)
-              target[e] = block_columns.local(column) * front.m + row;
-            else if (column < front.n)
-              target[e] = column * front.m + row;
-            else
-              target[e] =
-                front.n * front.m + (column - front.n) * front.n + row;
-          }
+        block.target_stride = front.m;
+        block.target =
+          (front.is_shared ? block_columns.local(column) : column) * front.m +
+          row;
+      }
+    else
+      {
+        block.target_stride = front.n;
+        block.target = front.n * front.m + (column - front.n) * front.n + row;
       }
   }
 
@@ -196,20 +273,28 @@ namespace NPT
     takes_lower_only = lower_only;
     if (ranks.is_alone())
       return;
-    const std::vector<int> &n_given = lower_only ? n_sent_lower : n_sent;
-    const std::vector<int> &n_taken =
-      lower_only ? n_received_lower : n_received;
-    const std::vector<int> to = offsets(n_sent), from = offsets(n_received);
-    for (unsigned int p = 0; p < ranks.n(); ++p)
-      for (int k = to[p]; k < to[p] + n_given[p]; ++k)
-        sent[k] = values[sent_positions[k]];
+    std::vector<int> n_sent, n_sent_now;
+    double          *next = sent.data();
+    for (const Message &message : sent_blocks)
+      {
+        for (const auto *list : {&message.lower, &message.upper})
+          for (const Block &block : *list)
+            for (int r = 0; r < block.n_rows; ++r)
+              {
+                const double *const row =
+                  values.data() + block.source + r * block.source_stride;
+                next = std::copy_n(row, block.n_columns, next);
+              }
+        n_sent.push_back(message.n);
+        n_sent_now.push_back(lower_only ? message.n_lower : message.n);
+      }
     MPI_Alltoallv(sent.data(),
-                  n_given.data(),
-                  to.data(),
+                  n_sent_now.data(),
+                  offsets(n_sent).data(),
                   MPI_DOUBLE,
                   received.data(),
-                  n_taken.data(),
-                  from.data(),
+                  (lower_only ? n_received_lower : n_received).data(),
+                  offsets(n_received).data(),
                   MPI_DOUBLE,
                   ranks.communicator());
   }
@@ -223,10 +308,17 @@ namespace NPT
     const int *const begin = &start[n_kinds * f];
     for (unsigned int kind = 0; kind < (takes_lower_only ? 2 : n_kinds); ++kind)
       {
-        const double *const values =
-          kind % 2 == 0 ? own_values->data() : received.data();
-        for (int e = begin[kind]; e < begin[kind + 1]; ++e)
-          front[target[e]] += values[source[e]];
+        const std::vector<double> &values =
+          kind % 2 == 0 ? *own_values : received;
+        for (int b = begin[kind]; b < begin[kind + 1]; ++b)
+          {
+            const Block  &block = sorted_blocks[b];
+            Number *const to    = front + block.target;
+            const double *from  = values.data() + block.source;
+            for (int r = 0; r < block.n_rows; ++r, from += block.source_stride)
+              for (int c = 0; c < block.n_columns; ++c)
+                to[c * block.target_stride + r] += from[c];
+          }
       }
   }
 

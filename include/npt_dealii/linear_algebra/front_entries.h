@@ -48,36 +48,50 @@ namespace NPT
     add(const unsigned int f, Number *front) const;
 
   private:
-    // Of one front: entries of the lower triangle that are of this process, and
-    // those that others send; then those above it. Where they begin, and end.
-    static constexpr unsigned int n_kinds = 4;
-
-    struct Entry
+    // Rows and columns that follow each other in the matrix and in the order
+    // of elimination, most often those of two control points. So one index
+    // serves all their entries.
+    struct Block
     {
-      int row, column; // in the order of elimination
-      int source;      // in the values of the matrix, or in received ones
+      int row, column; // first ones, in the order
+      int n_rows, n_columns;
+      int source,
+        source_stride; // of rows, in the matrix or in what is received
+      int target, target_stride; // of columns, in the front
     };
-    std::vector<Entry>
-    send_places(std::vector<Entry> &entries, const FrontTree &tree);
+    static bool
+    has_lower_entry(const Block &block);
+    std::vector<Block>
+    make_blocks(const CSRMatrix &A, const FrontTree &tree) const;
+    std::vector<Block>
+    exchange_blocks(std::vector<Block> &blocks, const FrontTree &tree);
     void
-    sort(const std::vector<Entry> &own,
-         const std::vector<Entry> &of_others,
+    sort(const std::vector<Block> &own,
+         const std::vector<Block> &of_others,
          const FrontTree          &tree);
+    void
+    set_target(Block &block, const Front &front) const;
 
     Ranks        ranks;
     BlockColumns block_columns;
 
-    std::vector<int> start;  // of each kind of each front, and end
-    std::vector<int> source; // of the entries, front by front
-    std::vector<int> target; // in the front
+    // Of one front: blocks of the lower triangle that this process has, and
+    // those that others send; then those above it.
+    static constexpr unsigned int n_kinds = 4;
+    std::vector<Block>            sorted_blocks;
+    std::vector<int>              start; // of each kind of each front, and end
 
     const std::vector<double> *own_values       = nullptr;
     bool                       takes_lower_only = false;
-    // Of A.values, process by process, those of the lower triangle first, and
-    // how many each of them gets and gives.
-    std::vector<int>    sent_positions;
-    std::vector<int>    n_sent, n_sent_lower, n_received, n_received_lower;
-    std::vector<double> sent, received;
+    // One message for each process; entries of the lower triangle first.
+    struct Message
+    {
+      std::vector<Block> lower, upper;
+      int                n_lower = 0, n = 0; // entries
+    };
+    std::vector<Message> sent_blocks;
+    std::vector<int>     n_received, n_received_lower;
+    std::vector<double>  sent, received;
   };
 } // namespace NPT
 
