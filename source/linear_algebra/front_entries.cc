@@ -274,19 +274,24 @@ namespace NPT
     if (ranks.is_alone())
       return;
     std::vector<int> n_sent, n_sent_now;
-    double          *next = sent.data();
+    double          *first = sent.data(); // of a message
     for (const Message &message : sent_blocks)
       {
-        for (const auto *list : {&message.lower, &message.upper})
-          for (const Block &block : *list)
+        double    *next = first;
+        const auto put  = [&](const std::vector<Block> &blocks) {
+          for (const Block &block : blocks)
             for (int r = 0; r < block.n_rows; ++r)
-              {
-                const double *const row =
-                  values.data() + block.source + r * block.source_stride;
-                next = std::copy_n(row, block.n_columns, next);
-              }
+              next = std::copy_n(values.data() + block.source +
+                                   r * block.source_stride,
+                                 block.n_columns,
+                                 next);
+        };
+        put(message.lower);
+        if (!lower_only)
+          put(message.upper);
         n_sent.push_back(message.n);
-        n_sent_now.push_back(lower_only ? message.n_lower : message.n);
+        n_sent_now.push_back(next - first);
+        first += message.n;
       }
     MPI_Alltoallv(sent.data(),
                   n_sent_now.data(),
