@@ -721,6 +721,37 @@ TEST_CASE("Open surfaces exert no force and have no stiffness", "[contact]")
 
 
 
+TEST_CASE("Surfaces that touch within round-off are closed", "[contact]")
+{
+  // A block of length 1 below a plane.
+  const std::vector<NURBSPatch<2>> patches = {
+    slab<2>(uniform_knots<2>(2, 3, 1),
+            [](const Point<2> &u) { return Point<2>(u[0] - 0.5, u[1] - 1.); }),
+    slab<2>(uniform_knots<2>(2, 4, 1),
+            [](const Point<2> &u) { return Point<2>(6. * u[0] - 3., u[1]); })};
+  for (const std::string &method : methods)
+    {
+      INFO(method);
+      Pair<2>    pair(patches, contact_parameters(method));
+      const auto n_active = [&](const double gap) {
+        const auto u = pair.displacement([](const Point<2> &X) { return X; },
+                                         [gap](const Point<2> &X) {
+                                           return Point<2>(X[0], X[1] + gap);
+                                         });
+        pair.begin_step(u);
+        CHECK(pair.residual(u).l2_norm() < 1e-7);
+        return pair.summary().n_active;
+      };
+      const unsigned int n_closed = n_active(-1e-10);
+      CHECK(n_closed == pair.contact.n_nodes());
+      for (const double gap : {-2e-15, -1e-16, 0., 1e-16, 2e-15})
+        CHECK(n_active(gap) == n_closed);
+      CHECK(n_active(1e-10) == 0);
+    }
+}
+
+
+
 TEST_CASE("In sticking, sliding and mixed states the tangent is the derivative "
           "of the forces, also after a large rotation",
           "[contact]")
