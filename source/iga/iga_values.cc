@@ -123,17 +123,20 @@ namespace NPT
           }
         parametric_weight_[q] = weight;
         for (unsigned int k = 0; k < 1 + dim; ++k)
-          for (unsigned int a = 0; a < n; ++a)
-            {
-              double       product = 1;
-              unsigned int rest_a  = a;
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  product *= N_q[d][(k == 1 + d ? n_1 : 0) + rest_a % n_1];
-                  rest_a /= n_1;
-                }
-              functions_(q, k, a) = product;
-            }
+          {
+            // Direction by direction, in place: the last factor first, so that
+            // the products so far are overwritten last.
+            double *const product = &functions_(q, k, 0);
+            unsigned int  size    = 1;
+            product[0]            = 1;
+            for (unsigned int d = 0; d < dim; ++d, size *= n_1)
+              {
+                const double *const factor = N_q[d] + (k == 1 + d ? n_1 : 0);
+                for (int j = n_1 - 1; j >= 0; --j)
+                  for (unsigned int i = 0; i < size; ++i)
+                    product[j * size + i] = product[i] * factor[j];
+              }
+          }
       }
   }
 
