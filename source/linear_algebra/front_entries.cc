@@ -124,7 +124,7 @@ namespace NPT
                                    BlockColumns::width - front.local(place[j]) %
                                                            BlockColumns::width);
             blocks.push_back(
-              {place[i], place[j], end_of[i] - i, n_columns, k, stride, 0, 0});
+              {place[i], place[j], end_of[i] - i, n_columns, k, stride});
             k += n_columns;
           }
       }
@@ -199,9 +199,7 @@ namespace NPT
                                  numbers[k + 2],
                                  numbers[k + 3],
                                  source,
-                                 numbers[k + 3],
-                                 0,
-                                 0});
+                                 numbers[k + 3]});
             source += numbers[k + 2] * numbers[k + 3];
           }
         n_received.push_back(source - first);

@@ -72,12 +72,6 @@ namespace NPT
     {
       return layout_.has_two_fold_axis;
     }
-    /// Whether mirror planes across the bundles are used as constraints.
-    bool
-    has_mirror_planes() const
-    {
-      return layout_.has_mirror_planes;
-    }
     /// Whether pieces of bundles stand for others; see CellParameters.
     bool
     integrates_pieces() const

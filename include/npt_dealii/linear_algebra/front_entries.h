@@ -55,9 +55,10 @@ namespace NPT
     {
       int row, column; // first ones, in the order
       int n_rows, n_columns;
-      int source,
-        source_stride; // of rows, in the matrix or in what is received
-      int target, target_stride; // of columns, in the front
+      int source; // of the first entry, in the matrix or what is received
+      int source_stride;     // from row to row
+      int target        = 0; // of the first entry, in the front
+      int target_stride = 0; // from column to column
     };
     static bool
     has_lower_entry(const Block &block);

@@ -41,9 +41,9 @@ namespace NPT
     double
     operations() const;
     /// Time to assemble and eliminate it, in operations of products of large
-    /// matrices. Fitted to the 5,876 fronts of 35 factorizations of a woven
-    /// cell of 12,630 unknowns, of which small ones reach a fifth of the speed
-    /// of large ones.
+    /// matrices. Fitted to 5,876 eliminations of fronts, in 35 factorizations
+    /// of a woven cell of 12,630 unknowns, of which small ones reach a fifth of
+    /// the speed of large ones.
     double
     work() const;
   };
